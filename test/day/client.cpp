@@ -312,7 +312,6 @@ void tellIdle(Words&) {
   LEFT_OUT(link_.state_.unknownMessages);
   LEFT_OUT(link_.state_.framesLost);
   LEFT_OUT(link_.state_.framesSent);
-  LEFT_OUT(link_.state_.sequence);
   LEFT_OUT(link_.state_.heardSequence);
   LEFT_OUT(link_.damage_);  // made of counters
   LEFT_OUT(link_.pace_.roundTripMs_);

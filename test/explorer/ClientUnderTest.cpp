@@ -23,8 +23,8 @@ namespace {
 // It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
 constexpr uint32_t kNowMs = 0xFFFFFFFC;
 constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
-// For which a frame keeps the line busy: repeats are five times as far apart. On a quicker line there are more of them,
-// and nothing else.
+// For which a frame keeps the line busy: repeats are five times as far apart. (An answer takes half of that: so no item
+// is repeated twice as often.) On a quicker line there are more of them, and nothing else.
 constexpr uint8_t kFrameMs = 80;
 // A client that does nothing in so many has come to rest: items are got ready in two, and of a plan that goes as a file
 // one in each.
@@ -103,6 +103,7 @@ void blank(T& what) {
 
 bool isReading(const MissionClient& client) {
   return client.state_.operation == detail::Client::ReadingPlan::step ||
+         client.state_.operation == detail::Client::ReadingPlan::readOn ||
          client.state_.operation == detail::Client::Ensuring::step ||
          client.state_.operation == PlanFiles::proveByItemsStep;
 }
@@ -211,7 +212,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   const int enough = hasFiles_ != 0 ? kQuietFileUpdates : kQuietUpdates;
   for (int i = 0; i < kMostUpdates && quiet < enough; ++i) {
     const size_t sent = doing.frames.size();
-    client().link_.state_.sequence = 0;
+    client().link_.state_.framesSent = 0;  // and with it the number of our next frame
     const Status status = client().update();
     if (isEnd(status)) {
       doing.hasEnded = true;
@@ -265,10 +266,11 @@ uint16_t ClientUnderTest::nextMs() const {
   }
   if (isReading(c)) {
     const DownloadTransfer& t = c.reading_.transfer;
-    if (t.isDue_) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
+    if (t.asked_ == 0) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
-    return std::min(next, leftOf(pace.waitMs(waitMs), t.sentMs_));
+    const uint16_t severalMs = t.asked_ > 1 ? kRoundTripMs + Pace::kLeastMs : 0;
+    return std::min(next, leftOf(std::max(pace.waitMs(waitMs), severalMs), t.sentMs_));
   }
   const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & kFromOpen) != 0;
   if (waits) return std::min(next, leftOf(ClearTransfer::kAnswerMs, c.state_.unsettledMs));
@@ -350,7 +352,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   FrameParser& parser = c.link_.parser_;
   link.bytes = 0;
   link.frames = link.unknownMessages = link.framesLost = link.framesSent = 0;
-  link.sequence = link.heardSequence = 0;
+  link.heardSequence = 0;
   link.sequenceKnown = false;
   link.heartbeatMs = kNow;
   c.link_.damage_ = 0;

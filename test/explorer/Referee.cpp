@@ -89,7 +89,7 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
 const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
   const bool isCancel = message.kind == Kind::Ack && message.number == kCancelled;
   if (task.operation == Operation::Clear) {
-    if (message.kind == Kind::List) return sentInReading(message);
+    if (message.kind == Kind::List) return sentInReading(message, firmware);
     if (message.kind != Kind::ClearAll) return "a frame is sent that is not CLEAR_ALL";
     if (clears == kTries && !isHurried) return "CLEAR_ALL is sent too often";
     if (clears != 0 && sinceSentMs < againMs(kAnswerMs) && !isCounted) return "CLEAR_ALL is sent again too early";
@@ -140,7 +140,7 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
     counts = asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
     heardAcks = 0;
   }
-  const char* const broken = isReading ? sentInReading(message) : sentInUpload(message);
+  const char* const broken = isReading ? sentInReading(message, firmware) : sentInUpload(message);
   sinceSentMs = 0;
   return broken;
 }
@@ -208,13 +208,13 @@ const char* Referee::sentInUpload(const Message& message) {
   return "a frame is sent that has no place in an upload";
 }
 
-const char* Referee::sentInReading(const Message& message) {
+const char* Referee::sentInReading(const Message& message, Firmwares firmware) {
   switch (message.kind) {
     case Kind::List:
       // An error may be PX4's end of the reading; while an upload is proven, any refusal may be due to a copy.
       if (isCounted && task.operation != Operation::Download &&
           (heardAcks & (isUpload() && !isLooking ? 0xFFFE : 1u << kError)) != 0) {
-        isCounted = lists = received = requests = 0;
+        isCounted = lists = received = requests = underWay = 0;
         heardAcks = static_cast<uint16_t>(heardAcks & 1u);
       }
       if (task.operation == Operation::Clear && (heardAcks & 1u) == 0)
@@ -228,10 +228,18 @@ const char* Referee::sentInReading(const Message& message) {
 
     case Kind::Request:
     case Kind::OlderRequest:
-      if (!isCounted || message.number != received || received == announced) return "a wrong item is asked for";
+      if (!isCounted || message.number < received || message.number >= announced) return "a wrong item is asked for";
+      if (message.number != received) {
+        // Several may be under way, each once, where each is answered and nothing is lost.
+        const bool mayAsk = isArduPilot(firmware) && !isHurried && underWay != 0 && underWay < kMostUnderWay;
+        if (!mayAsk || message.number != received + underWay) return "a wrong item is asked for";
+        ++underWay;
+        return nullptr;
+      }
       if (requests == kItemTries && !isHurried) return "an item is asked for too often";
       if (requests != 0 && sinceSentMs < againMs(kItemMs)) return "an item is asked for again too early";
       if (requests < kItemTries) ++requests;
+      underWay = 1;
       return nullptr;
 
     case Kind::Ack:
@@ -319,7 +327,8 @@ void Referee::heard(const Message& message, Firmwares firmware) {
     case Kind::Item:
       if (!isCounted || requests == 0 || message.number != received || received == announced) return;
       ++received;
-      requests = 0;
+      --underWay;
+      requests = underWay != 0;
       return;
 
     case Kind::Heartbeat:

@@ -33,7 +33,7 @@ struct Task {
 
 struct Referee {
   static constexpr uint8_t kHurriedBefore = 2;
-  static constexpr uint8_t kTries = 5, kItemTries = 8, kJustNow = 1, kBefore = 2;
+  static constexpr uint8_t kTries = 5, kItemTries = 8, kMostUnderWay = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
                             kConfirmingMs = 9000;
   // From a message to its repeat on a line that has been seen to lose.
@@ -67,7 +67,8 @@ struct Referee {
   uint8_t isCounted;       // COUNT was heard
   uint8_t announced;       // how many items
   uint8_t received;        // items heard in their order
-  uint8_t requests;        // for the next item
+  uint8_t requests : 4;    // for the next item
+  uint8_t underWay : 4;    // items that are asked for, from the next one on
   uint8_t isClosed;        // our final ACK was sent
   uint8_t clears;          // CLEAR_ALLs sent
   uint8_t owesCancel;      // the autopilot is to be told that it is over: 1 + the plan's type
@@ -109,7 +110,7 @@ struct Referee {
                            const Autopilot* before) const;
   const char* sentWhile(const Message& message, Firmwares firmware);
   const char* sentInUpload(const Message& message);
-  const char* sentInReading(const Message& message);
+  const char* sentInReading(const Message& message, Firmwares firmware);
 };
 static_assert(std::has_unique_object_representations<Referee>::value, "folded by its bytes");
 

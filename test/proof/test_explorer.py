@@ -375,6 +375,27 @@ DEFECTS = {
         "ArduPilot download 0",
         "REQUEST_LIST is sent too often",
     ),
+    "several of PX4's items are asked for at once": (
+        "Read.cpp",
+        "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
+        "return client.link_.isQuick();",
+        "PX4 download 0 --held 3",
+        "a wrong item is asked for",
+    ),
+    "several of ArduPilot's items are asked for at once on a line that loses": (
+        "Read.cpp",
+        "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
+        "return client.plan_.has(kAnswersAnyRequest);",
+        "ArduPilot download 0 --held 3 --lossy 1",
+        "a wrong item is asked for",
+    ),
+    "an item that comes ahead of a lost one is taken in its place": (
+        "DownloadTransfer.cpp",
+        "return item == next_;",
+        "return item >= next_;",
+        "ArduPilot verify 3 --held 3 --held-plan 1 --losses 1",
+        "a wrong item is asked for",
+    ),
     "an item that comes again is taken for the next": (
         "DownloadTransfer.cpp",
         "return item == next_;",

@@ -120,7 +120,7 @@ FOR_OTHERS = {
 }
 FOR_OTHERS |= {
     f"{operation}::{part}": "operate() calls it by its name"
-    for operation in ("Clearing", "Ensuring", "ReadingPlan")
+    for operation in ("Clearing", "Ensuring")
     for part in ("begin", "frame", "time")
     if (operation, part) != ("Ensuring", "begin")
 }

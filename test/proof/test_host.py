@@ -1,7 +1,7 @@
 """The library's parts on this computer, under AddressSanitizer and UndefinedBehaviorSanitizer.
 
 Each file of host/units is run by itself: as clang++ compiles it for 32 bits, under both sanitizers; and as g++ does for
-64, optimised and without them (so does tools/test --quick).
+64, optimised and without them (so does tools/test --quick; in tools/test --all test_coverage.py runs them so).
 """
 
 from __future__ import annotations
@@ -30,10 +30,14 @@ def build_units(units: tuple[Path, ...], compiler: str, flags: tuple[str, ...]) 
     return build_host("units", [*units, *sorted(HOST.glob("*.cpp"))], compiler, flags)
 
 
+def pytest_generate_tests(metafunc):
+    clang = pytest.param("clang++", marks=pytest.mark.slow)
+    metafunc.parametrize("way", ["plain", clang] if metafunc.config.option.markexpr else [clang])
+
+
 @pytest.mark.parametrize(
     "unit", [pytest.param(unit, marks=pytest.mark.thorough if unit == "float_bits" else ()) for unit in UNITS]
 )
-@pytest.mark.parametrize("way", ["plain", pytest.param("clang++", marks=pytest.mark.slow)])
 def test_every_case_of_a_unit_passes(unit, way, chosen, tmp_path):
     compiler, flags = WAYS[way]
     assert cases_of(unit) > 0

@@ -22,14 +22,14 @@ SAMPLE_AROUND = 20  # of what is around the engines, where a mutant costs more
 
 
 @pytest.mark.slow
-def test_every_mutant_of_a_fixed_sample_is_found_or_explained(record_property):
+def test_every_mutant_of_a_fixed_sample_is_found(record_property):
+    """But for the explained ones, which cost most, since all that may find them is run: tools/mutate tries them."""
+    reasons = explained()
     drawn = run.drawn([subject.name for subject in ENGINES], SAMPLE, seed=1)
     drawn += run.drawn([subject.name for subject in AROUND], SAMPLE_AROUND, seed=1)
-    verdicts = judge(drawn)
-    reasons = explained()
+    verdicts = judge([pair for pair in drawn if pair[1].key not in reasons])
     record_property("table", ["mutants: a fixed sample", report.rows(verdicts, reasons)])
     assert [report.line(verdict.mutant) for verdict in report.unexplained(verdicts, reasons)] == []
-    assert [report.line(verdict.mutant) for verdict in report.killed_but_explained(verdicts, reasons)] == []
     assert sum(verdict.counts for verdict in verdicts) > (SAMPLE + SAMPLE_AROUND) / 2
 
 

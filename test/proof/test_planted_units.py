@@ -12,6 +12,30 @@ from simulation.recorded_for_units import environment
 
 # By the unit, what is changed in which file.
 DEFECTS = {
+    "several items are asked for anew while their answers may be under way": (
+        "download_transfer",
+        "DownloadTransfer.cpp",
+        " || (mayBeAhead && asked_ > 1 && !pace.isBehind(ms))",
+        "",
+    ),
+    "several items are asked for at once where loop() stands still": (
+        "client_reading",
+        "Read.cpp",
+        "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
+        "return client.plan_.has(kAnswersAnyRequest) && !const_cast<Client&>(client).link_.pace().isLossy();",
+    ),
+    "a later one of several items shows how long the line takes": (
+        "download_transfer",
+        "DownloadTransfer.cpp",
+        "if (tries_ != 0) pace.learn(startedMs_, nowMs, tries_);",
+        "pace.learn(startedMs_, nowMs, 1);",
+    ),
+    "the second refusal of several requests ends a reading that begins anew": (
+        "client_reading",
+        "DownloadTransfer.cpp",
+        "!expectsAnswer(state_) || ",
+        "",
+    ),
     "cancel() ends an operation in the middle of its own step": (
         "client_callbacks",
         "Client.cpp",

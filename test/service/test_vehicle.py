@@ -222,7 +222,8 @@ OTHERS = {"POSITION", "OF_LOITER", "LEARNING", "RATE_ACRO", "AUTO", "HOLD"}
 
 def mode_names(bench, autopilot: int, kind: int, modes) -> dict[int, str]:
     named = {}
-    for mode in modes:
+    modes = list(modes)
+    for mode in [modes[0], *modes]:  # of another vehicle the second heartbeat is believed
         bench.say(mavlink.MAVLink_heartbeat_message(kind, autopilot, 81, mode, 3, 3), (1, 1))
         bench.run(0.02)
         named[mode] = bench.words()[0]

@@ -21,6 +21,7 @@ TOO_LARGE = {
     ("FollowBeacon", "nano"),
     ("FollowBeacon", "uno"),
     ("UploadByFile", "leonardo"),
+    ("UploadByFile", "nano"),
     ("WorkAtWaypoints", "leonardo"),
     ("WorkAtWaypoints", "nano"),
     ("WorkAtWaypoints", "uno"),

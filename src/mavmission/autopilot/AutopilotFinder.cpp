@@ -30,7 +30,7 @@ bool isVehicle(uint8_t type) {
 
 // It is another one from now on, or has restarted.
 void AutopilotFinder::change() {
-  isVehicleKnown_ = isPlane_ = false;
+  isVehicleKnown_ = isPlane_ = isDoubted_ = false;
   isOther_ = true;
   knowledge_ = static_cast<uint8_t>(knowledge_ + 0x10);
 }
@@ -64,9 +64,16 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
   if (!isKnown) {
     searchMs_ = nowMs;
   } else {
-    if (autopilot != heartbeat_.autopilot || vehicleType != heartbeat_.vehicleType) change();
+    const bool isOther = autopilot != heartbeat_.autopilot || vehicleType != heartbeat_.vehicleType;
+    if (isOther && settled_ && !isDoubted_) {
+      // Of damaged heartbeats one in 65,536 has a right checksum.
+      isDoubted_ = true;
+      return false;
+    }
+    if (isOther) change();
     if (!heard_ && since(searchMs_, nowMs) >= kForgetMs) forget();
   }
+  isDoubted_ = false;
   heard_ = true;
   heardMs_ = nowMs;
   return true;

@@ -78,6 +78,10 @@ class AutopilotFinder : public FinderRules {
     return isOther;
   }
 
+  // True while its last heartbeat, which the next one has to confirm, has shown another firmware or vehicle than those
+  // before: nothing is sent to it.
+  bool isDoubted() const { return isDoubted_; }
+
   // True if these are the ids of the autopilot that we talk to.
   bool isFrom(uint8_t systemId, uint8_t componentId) const {
     return heard_ && systemId == heartbeat_.systemId && componentId == heartbeat_.componentId;
@@ -113,6 +117,7 @@ class AutopilotFinder : public FinderRules {
   bool named_ : 1;
   bool isVehicleKnown_ : 1;
   bool isPlane_ : 1;  // which says another type in its heartbeat
+  bool isDoubted_ : 1;
   bool isOther_ : 1;  // it has changed, or restarted, and takeChange() has not told yet
 };
 

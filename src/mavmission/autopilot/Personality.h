@@ -48,6 +48,7 @@ enum Trait : uint64_t {
   kIsReadBack = 1ull << 41,         // its acceptance alone is no proof
   kMayBeOld = 1ull << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
   kRefusesTakenItems = 1ull << 25,  // answers an item that it has received already with INVALID_SEQUENCE
+  kAnswersAnyRequest = 1ull << 43,  // answers each MISSION_REQUEST_INT, in any order and however soon
   kHasPlanFiles = 1ull << 28,       // gives and takes its plans as files too, by MAVLink FTP
 
   // --- Flying
@@ -84,9 +85,9 @@ enum Trait : uint64_t {
 #define MAVMISSION_PERSONALITIES(X)                                                                        \
   X(ArduPilot, 3, kByArduPilot,                                                                            \
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
-    kErrorRefusesCount | kRefusesTakenItems | kHasPlanFiles | kFliesByMode | kNamesFlownItems |            \
-    kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir |            \
-    kTellsTotal | kSaysUploadsInWords | kTellsArmingChecks)                                                \
+    kErrorRefusesCount | kRefusesTakenItems | kAnswersAnyRequest | kHasPlanFiles | kFliesByMode |          \
+    kNamesFlownItems | kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore |          \
+    kIsActiveInAir | kTellsTotal | kSaysUploadsInWords | kTellsArmingChecks)                               \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \

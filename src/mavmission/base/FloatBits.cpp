@@ -26,10 +26,26 @@ float fromBits(uint32_t bits) {
   return value;
 }
 
-// (Shifting the upper half takes half the code of shifting the whole.)
-uint8_t biasedExponent(uint32_t bits) { return static_cast<uint8_t>(static_cast<uint16_t>(bits >> 16) >> 7); }
+// (From two bytes: a shift of all four, or of the upper two, takes more code.)
+uint8_t biasedExponent(uint32_t bits) {
+  uint8_t biased = static_cast<uint8_t>(static_cast<uint8_t>(bits >> 24) << 1);
+  if ((static_cast<uint8_t>(bits >> 16) & 0x80) != 0) biased |= 1;
+  return biased;
+}
 
 uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
+
+// The same with 7 bits more, which are 0. (The shift by a whole byte has the hidden bit at the top.)
+uint32_t longMantissaOf(uint32_t bits) { return ((bits << 8) | kSign) >> 1; }
+
+// Half the number. Its last bit stays set once a bit that is cut off was set, which is all that rounding asks of the
+// lowest bits.
+uint32_t halved(uint32_t number) {
+  const uint8_t low = static_cast<uint8_t>(number);
+  number >>= 1;
+  if ((low & 1) != 0) number |= 1;
+  return number;
+}
 
 // `mantissa` has its highest bit at bit 23; the value is mantissa * 2^(exponent - 23).
 float assemble(uint32_t mantissa, int8_t exponent) {
@@ -97,30 +113,27 @@ uint32_t load(const void* number) {
 
 void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
 
-// Stores the nearest float and keeps the sign that is there. `biased` is the exponent for a mantissa whose leading 1 is
-// at bit 23. `more`: a bit below the mantissa's last one is set.
-MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased, uint8_t more) {
-  uint8_t half = 0;  // the highest bit that is cut off; `more`: one below it is set
-  while (static_cast<uint8_t>(mantissa >> 24) != 0) {
-    more |= half;
-    half = static_cast<uint8_t>(mantissa) & 1;
-    mantissa >>= 1;
-    ++biased;
+// Stores the nearest float and keeps the sign that is there. `biased` is the exponent for a mantissa, never 0, whose
+// leading 1 is at bit 31. Below its highest 25 bits it is enough that any bit is set if one would be.
+MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased) {
+  for (; (mantissa & kSign) == 0; --biased) mantissa <<= 1;
+  // The lowest byte is behind the last bit: more than half of it, or just that and it is odd.
+  if ((static_cast<uint8_t>(mantissa) | (static_cast<uint8_t>(mantissa >> 8) & 1)) > 0x80) {
+    mantissa += 0x100;
+    if (static_cast<uint8_t>(mantissa >> 24) == 0) ++biased;  // carried out of it: the other bits are 0, too
   }
-  if (half != 0 && ((more | static_cast<uint8_t>(mantissa)) & 1) != 0) {
-    if (static_cast<uint8_t>(++mantissa >> 24) != 0) ++biased;  // the other bits are 0
-  }
-  number[0] = static_cast<uint8_t>(mantissa);
-  number[1] = static_cast<uint8_t>(mantissa >> 8);
-  uint8_t high = static_cast<uint8_t>(mantissa >> 16) & 0x7F;
+  number[0] = static_cast<uint8_t>(mantissa >> 8);
+  number[1] = static_cast<uint8_t>(mantissa >> 16);
+  uint8_t high = static_cast<uint8_t>(mantissa >> 24) & 0x7F;
   if ((biased & 1) != 0) high |= 0x80;
   number[2] = high;
   number[3] = (number[3] & 0x80) | biased >> 1;
 }
 
-// The mantissa of a factor, from its lowest byte on, and its exponent less 7, since the product has 7 bits more.
+// The mantissa of a factor, from its lowest byte on, and its exponent plus 1, since the product's leading 1 is at bit
+// 30 if no bit is carried.
 #define MAVMISSION_FACTOR(mantissa, exponent) \
-  {(mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7)}
+  {(mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) + 1)}
 const uint8_t kFactors[][4] PROGMEM = {
     MAVMISSION_FACTOR(0xC80000, 6),   // 100
     MAVMISSION_FACTOR(0xA3D70A, -7),  // 0.01
@@ -143,37 +156,37 @@ void makeWhole(void* number) {
   store(number, bits);
 }
 
-void multiply(void* number, Times by) {
+MAVMISSION_ONE_EXIT void multiply(void* number, Times by) {
   uint32_t bits = load(number);
   const uint8_t biased = biasedExponent(bits);
   if (biased < 16) return store(number, 0);
-  bits = mantissaOf(bits) << 7;
+  bits = longMantissaOf(bits);
   const uint8_t* factor = kFactors[static_cast<uint8_t>(by)];
   uint32_t sum = 0;
-  uint8_t more = 0, left = 0;
-  for (uint8_t i = 0; i < 24; ++i) {
+  uint8_t left = 0;
+  for (uint8_t i = 24; i != 0; --i) {
     if ((i & 7) == 0) left = fromFlash(factor++);
-    more |= static_cast<uint8_t>(sum) & 1;
-    sum >>= 1;
+    sum = halved(sum);
     if ((left & 1) != 0) sum += bits;
     left >>= 1;
   }
-  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(factor)), more);
+  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(factor)));
 }
 
 void throughFloat(void* integer) {
   uint32_t value = load(integer);
-  const bool isBelow0 = (value & kSign) != 0;
-  if (isBelow0) value = 0 - value;
-  uint8_t cut = 0, half = 0, more = 0;
-  for (; static_cast<uint8_t>(value >> 24) != 0; ++cut) {
-    more |= half;
-    half = static_cast<uint8_t>(value) & 1;
-    value >>= 1;
-  }
-  if (half != 0 && ((more | static_cast<uint8_t>(value)) & 1) != 0) ++value;
-  for (; cut != 0; --cut) value <<= 1;
-  if (isBelow0) value = 0 - value;
+  // What the 24 bits of a float count in. (Of a negative number the complement: it has as many bits, but where the
+  // number is a power of two, and every unit is right.)
+  uint8_t unit = 1, above = static_cast<uint8_t>(value >> 24);
+  if ((above & 0x80) != 0) above = static_cast<uint8_t>(~above);
+  for (; above != 0; above >>= 1) unit <<= 1;
+  // Twice what is behind the units, and 1 if their number is odd: more than half a unit, or just that and odd.
+  const uint8_t low = static_cast<uint8_t>(value);
+  const uint8_t behind = low & (unit - 1);
+  uint8_t twice = static_cast<uint8_t>(behind << 1);
+  if ((low & unit) != 0) twice |= 1;
+  value -= behind;
+  if (twice > unit) value += unit;
   store(integer, value);
 }
 
@@ -190,18 +203,19 @@ void makeTurn(void* degrees) {
   if ((radians & kSign) != 0) {
     // A full turn less the angle, with 7 bits more than a float has.
     uint8_t biased = biasedExponent(radians);
-    radians = mantissaOf(radians) << 7;
-    uint8_t more = 0;
-    for (; biased < kBias + 2; ++biased) {
-      more |= static_cast<uint8_t>(radians) & 1;
-      radians >>= 1;
-    }
+    radians = longMantissaOf(radians);
+    for (; biased < kBias + 2; ++biased) radians = halved(radians);
     static_cast<uint8_t*>(degrees)[3] = 0;  // its sign
-    storeRounded(static_cast<uint8_t*>(degrees), (mantissaOf(kTurn) << 7) - radians - more, kBias + 2 - 7, more);
+    storeRounded(static_cast<uint8_t*>(degrees), longMantissaOf(kTurn) - radians, kBias + 2 + 1);
   } else if (radians == kTurn) {
     store(degrees, 0);
   }
   multiply(degrees, Times::Degree);
+}
+
+void setWhole(void* number, uint16_t whole) {
+  static_cast<uint8_t*>(number)[3] = 0;  // its sign
+  storeRounded(static_cast<uint8_t*>(number), static_cast<uint32_t>(whole) << 16, kBias + 15);
 }
 
 float floatOf(uint16_t whole) {

@@ -29,6 +29,9 @@ int32_t timesWhole(int32_t bits, uint32_t factor);
 
 // The following work on the float that lies at `number`, which makes small calls on AVR.
 
+// Makes it a whole number from 1 on: less code than floatOf() where numbers are rounded, too.
+void setWhole(void* number, uint16_t whole);
+
 // Cuts off the fraction.
 MAVMISSION_APART void makeWhole(void* number);
 

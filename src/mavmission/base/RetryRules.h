@@ -32,6 +32,7 @@ struct LinkRules {
 
 struct UploadRules {
   static constexpr uint16_t kRepeatMs = 1500;    // from MISSION_COUNT, or from the last item, to its repeat
+  static constexpr uint8_t kHaste = 2;           // so many times as often an item before the last, on a quick link
   static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
@@ -46,6 +47,7 @@ struct DownloadRules {
   static constexpr uint16_t kListMs = 1500;       // to MISSION_COUNT
   static constexpr uint8_t kOtherTries = 2;       // of it, before another number of items is believed in a read-back
   static constexpr uint8_t kItemTries = 8;        // MISSION_REQUEST_INT, for each item
+  static constexpr uint8_t kUnderWay = 5;         // requests before the first is answered, where each is
   static constexpr uint16_t kItemMs = 250;        // to the item
   static constexpr uint8_t kMostAnew = 4;         // readings that begin anew, since the autopilot has ended one
   static constexpr uint16_t kCopyMs = 400;        // between two messages of such a reading

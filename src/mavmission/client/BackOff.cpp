@@ -15,6 +15,7 @@ struct Client::BackingOff {
 void MissionClient::retryWhenBusy(uint16_t seconds) {
   rest_.backOffLimitS = seconds;
   rest_.options.backOff = seconds != 0 ? BackingOff::begin : nullptr;
+  if (rest_.options.goOn == nullptr) rest_.options.goOn = Uploading::backsOff;
   rest_.options.takeUp = Uploading::takeUp;
 }
 

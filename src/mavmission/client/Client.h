@@ -45,8 +45,9 @@ struct Options {
   bool (*takeUp)(Client& client, Status status, uint16_t nowMs);
   // Begins the back-off after a refusal: true if there is time for it.
   bool (*backOff)(Client& client, Status refusal);
-  // Begins the upload anew as MISSION_ITEM, after the refusal of an item: true if that is worth a try.
-  bool (*fallBack)(Client& client, Status refusal, uint16_t nowMs);
+  // Looks first at how an upload has ended, for a back-off or for the MISSION_ITEM fallback, which looks for a back-off
+  // too: true if it goes on. (One function, since one test costs an upload that has neither less than two.)
+  bool (*goOn)(Client& client, Status status, uint16_t nowMs);
   // Makes a MISSION_ITEM of a MISSION_ITEM_INT.
   void (*toFloats)(void* itemMessage);
 };
@@ -83,6 +84,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
 
   static void fromFloats(void* itemMessage);
   bool isOurCount(uint16_t count) const;
+  Status compareCount(uint16_t count);
+  bool hasRoom(uint16_t count);
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
   Status uploadKeptPlan();                                    // of the last upload or verification
   Status uploadProven(const ItemSource& plan, PlanType type, Readback proof);
@@ -127,7 +130,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && rest_.prepared == wireItem; }
   uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }
-  void report(uint16_t done);
+  MAVMISSION_ONE_EXIT void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
   Status refuse(Status why) {
     end(why);
@@ -213,8 +216,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // Settings and results.
   struct Rest {
     Options options;
-    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
-    void (*announcePart)(Client& client, bool isBeginning);
+    // Announces a part of the plan, and limits the upload to it; null: the whole plan, announced by MISSION_COUNT.
+    void (*announcePart)(Client& client);
     ProgressFunction progress;
     void* progressContext;
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none
@@ -255,11 +258,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   struct Reading {
     DownloadTransfer transfer;
     TakeItem take;
-    union {
-      // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
-      void (*fromFloats)(void* itemMessage);
-      PlanFiles* files;  // while the plan is transferred as a file
-    };
+    PlanFiles* files;  // while the plan is transferred as a file
     union {
       ItemSink sink;    // of what is stored
       uint16_t summed;  // ensure(), before it looks: how many items are in the checksum

@@ -13,10 +13,9 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   state_.type = type;
-  startOperation(ReadingPlan::step);
+  startOperation(ReadingPlan::beginStep);
   reading_.take = ReadingPlan::store;
   state_.isCompared = false;
-  reading_.fromFloats = fromFloats;
   reading_.sink = sink;
   return state_.status;
 }

@@ -66,7 +66,6 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
   }
   client.reading_.take = takeItem;
   client.state_.isCompared = true;
-  client.reading_.fromFloats = fromFloats;
   client.setOfPlan(true);
   client.setAboard(Aboard::NotKnown);  // what was known was about the plan before
   beginLook(client, nowMs);
@@ -90,7 +89,7 @@ Status Client::Ensuring::sum(Client& client, uint16_t wireItem) {
 void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   client.state_.readsHalf = true;  // as in ReadingPlan::time()
   DownloadTransfer& transfer = client.reading_.transfer;
-  Status status = transfer.onTime(nowMs, client.link_.pace());
+  Status status = transfer.onTime(nowMs, client.link_.pace(), true);
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
   // from before a reset, or one of another ground station, and both end within seconds.
   if (status == Status::NoAnswer && client.state_.lastResult != 255) {
@@ -99,7 +98,9 @@ void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   }
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
   if (status != Status::Transferring) return endLook(client, status);
-  if (transfer.toSend() != DownloadTransfer::Send::Accepted) return ReadingPlan::send(client, nowMs);
+  if (transfer.state() != DownloadTransfer::State::Closing) {
+    return ReadingPlan::send(client, nowMs, ReadingPlan::asksAhead(client));
+  }
   if (!client.link_.canSend()) return;
   client.sendAck(MAV_MISSION_ACCEPTED, client.state_.type);
   endLook(client, Status::AlreadyAboard);
@@ -110,7 +111,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
     case MAVLINK_MSG_ID_MISSION_COUNT: return takeCount(client, frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM:
-      ReadingPlan::takeItem(client, frame, nowMs);
+      ReadingPlan::takeNext(client, frame, nowMs);
       if (client.state_.operation == step && client.rest_.field != ItemField::None) replaceOther(client);
       return;
     case MAVLINK_MSG_ID_MISSION_ACK: {
@@ -118,7 +119,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       const Status status = client.reading_.transfer.onAck(result);
-      if (status == Status::Transferring || client.reading_.transfer.tries() == 0) return;
+      if (status == Status::Transferring) return;
       client.state_.lastResult = result;
       if (client.reading_.transfer.state() != DownloadTransfer::State::Listing) {
         // An error may be the late answer to the last item of an earlier upload, if that item was sent again.
@@ -218,9 +219,9 @@ void Client::Ensuring::proofStep(Client& client, const FrameParser* frame, uint1
     if (frame->payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
     const bool isOurs = client.isOurCount(frame->payloadWord(offsetof(Count, count)));
     if (transfer.tries() < (isOurs ? 1 : DownloadRules::kOtherTries)) return;
-    client.state_.operation = ReadingPlan::step;
+    client.state_.operation = ReadingPlan::readOn;
   }
-  ReadingPlan::step(client, frame, nowMs);
+  ReadingPlan::readOn(client, frame, nowMs);
 }
 
 void Client::Ensuring::endLook(Client& client, Status status) {

@@ -152,7 +152,7 @@ void Client::ShortFence::step(Client& client, const FrameParser* frame, uint16_t
                       client.reading_.transfer.expectsAnswer(DownloadTransfer::State::Listing) &&
                       frame->payloadByte(offsetof(Count, mission_type)) == static_cast<uint8_t>(PlanType::Fence) &&
                       frame->payloadWord(offsetof(Count, count)) == 0;
-  if (!isNone || !client.plan_.has(kWipesShortFences)) return ReadingPlan::step(client, frame, nowMs);
+  if (!isNone || !client.plan_.has(kWipesShortFences)) return ReadingPlan::readOn(client, frame, nowMs);
   client.state_.proving = false;
   client.rest_.options.readBack = proveAgain;
   client.state_.operation = Uploading::step;

@@ -26,9 +26,11 @@ void toFloats(void* itemMessage) {
 }  // namespace
 
 // After the refusal by an autopilot without MISSION_ITEM_INT: uploads once more, as MISSION_ITEM.
-bool Client::Uploading::fallBackToFloats(Client& client, Status refusal, uint16_t nowMs) {
-  if (refusal != Status::Unsupported || client.state_.floatItems) return false;
-  if (!client.plan_.has(kMayBeOld) || client.transfer_.itemsAskedFor() != 1) return false;
+bool Client::Uploading::fallBackToFloats(Client& client, Status status, uint16_t nowMs) {
+  if (status != Status::Unsupported || client.state_.floatItems || !client.plan_.has(kMayBeOld) ||
+      client.transfer_.itemsAskedFor() != 1) {
+    return backsOff(client, status, nowMs);
+  }
   client.state_.floatItems = true;
   begin(client, nowMs);
   client.state_.isDoubtful = true;
@@ -37,7 +39,7 @@ bool Client::Uploading::fallBackToFloats(Client& client, Status refusal, uint16_
 
 void MissionClient::useMissionItemFallback(bool always) {
   rest_.options.toFloats = toFloats;
-  rest_.options.fallBack = Uploading::fallBackToFloats;
+  rest_.options.goOn = Uploading::fallBackToFloats;
   rest_.options.takeUp = Uploading::takeUp;
   state_.floatItems = always;
 }

@@ -23,13 +23,11 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   return state_.status;
 }
 
-void Client::Uploading::announcePart(Client& client, bool isBeginning) {
+void Client::Uploading::announcePart(Client& client) {
   const uint16_t first = client.plan_.numbers().toWire(client.partFirst_);
   const uint16_t behind = first + client.partCount_;
-  if (isBeginning) {
-    client.transfer_.limitTo(first, behind);
-    return;
-  }
+  // Before the first announcement nothing is taken for an answer to it.
+  if (client.transfer_.tries() == 0) client.transfer_.limitTo(first, behind);
   mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
   list.start_index = static_cast<int16_t>(first);
   list.end_index = static_cast<int16_t>(behind - 1);

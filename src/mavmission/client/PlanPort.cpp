@@ -146,7 +146,6 @@ void PlanPort::proveInAnyCase() {
 
 void PlanPort::readByItems(uint16_t first, uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
-  client.reading_.fromFloats = Client::fromFloats;
   client.state_.operation = Client::ReadingPlan::step;
   client.reading_.transfer.begin(nowMs);
   client.reading_.transfer.skipTo(first);
@@ -154,7 +153,6 @@ void PlanPort::readByItems(uint16_t first, uint16_t nowMs) {
 
 void PlanPort::proveByItems(Port::Step operation, TakeItem take, PlanFiles& prover, uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
-  client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
   client.reading_.prover = &prover;
   client.reading_.take = take;
   client.state_.operation = operation;
@@ -162,7 +160,7 @@ void PlanPort::proveByItems(Port::Step operation, TakeItem take, PlanFiles& prov
 }
 
 void PlanPort::readOnByItems(const FrameParser* frame, uint16_t nowMs) {
-  Client::ReadingPlan::step(static_cast<Client&>(*this), frame, nowMs);
+  Client::ReadingPlan::readOn(static_cast<Client&>(*this), frame, nowMs);
 }
 
 }  // namespace detail

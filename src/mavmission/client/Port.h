@@ -76,7 +76,7 @@ class Port {
   // The field that differingField() names.
   void blame(ItemField field);
   // Ends it with this status.
-  MAVMISSION_APART void end(Status status);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT void end(Status status);
   // Who has taken the aircraft from the sketch: PilotHasIt, FailsafeHasIt; Idle: nobody. It stays until the sketch asks
   // for the aircraft again: noteTaken(Status::Idle).
   Status takenBy() const;

@@ -14,10 +14,9 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   setPlanToVerify(plan, type);
-  startOperation(ReadingPlan::step);
+  startOperation(ReadingPlan::beginStep);
   reading_.take = ReadingPlan::compare;
   state_.isCompared = true;
-  reading_.fromFloats = fromFloats;
   state_.itemsTotal = plan_.count();
   if (state_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
@@ -30,22 +29,23 @@ void Client::setPlanToVerify(const ItemSource& plan, PlanType type) {
 
 // Reads back the plan that is aboard; the comparison decides how the upload ends.
 void Client::ReadingPlan::prove(Client& client, uint16_t nowMs) {
-  client.state_.operation = step;
+  client.state_.operation = readOn;
   client.state_.proving = true;
   client.link_.pace().noteShorterFrames();
   client.setAboard(Aboard::NotKnown);
   client.reading_.take = compare;
   client.state_.isCompared = true;
-  client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
   client.reading_.transfer.begin(nowMs);
 }
 
 Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proof) {
-  const Status status = startUpload(plan, type);
+  Client* client = this;
+  asm("" : "+r"(client));
+  const Status status = client->startUpload(plan, type);
   if (isEnd(status)) return status;
-  rest_.proof = static_cast<uint8_t>(proof);
-  rest_.options.readBack = ReadingPlan::prove;
-  rest_.options.takeUp = Uploading::takeUp;
+  client->rest_.proof = static_cast<uint8_t>(proof);
+  client->rest_.options.readBack = ReadingPlan::prove;
+  client->rest_.options.takeUp = Uploading::takeUp;
   return status;
 }
 
@@ -70,37 +70,70 @@ bool PlanPort::beginsReading(uint16_t nowMs) {
   return true;
 }
 
-bool Client::ReadingPlan::begin(Client& client, uint16_t nowMs) {
-  if (!client.beginsReading(nowMs)) return false;
+// A step of its own, which an upload that is read back has no use for.
+void Client::ReadingPlan::beginStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  if (frame != nullptr) return;
+  client.waitForAutopilot();
+  if (client.state_.status != Status::Checking || !client.beginsReading(nowMs)) return;
+  client.state_.operation = step;
   client.reading_.transfer.begin(nowMs);
-  return true;
+  step(client, nullptr, nowMs);
 }
 
-void Client::ReadingPlan::time(Client& client, uint16_t nowMs) {
+void Client::ReadingPlan::time(Client& client, uint16_t nowMs) { goOn(client, nowMs, true); }
+
+bool Client::ReadingPlan::asksAhead(const Client& client) {
+  return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();
+}
+
+void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
+  const uint16_t id = frame.messageId();
+  if (id == MAVLINK_MSG_ID_MISSION_ITEM || id == MAVLINK_MSG_ID_MISSION_ITEM_INT) {
+    takeNext(client, frame, nowMs);
+  } else if (id == MAVLINK_MSG_ID_MISSION_COUNT && !client.state_.isCompared) {
+    if (!onCount(client, frame, nowMs)) return;
+    if (!client.hasRoom(countIn(frame))) return end(client, Status::SinkFull);
+  } else {
+    readOn(client, &frame, nowMs);
+  }
+  // (It may have ended, and the sketch have begun another one at once.)
+  if (client.state_.operation == step && client.state_.status == Status::Transferring)
+    client.report(client.plan_.numbers().ownCount(client.reading_.transfer.itemsTaken()));
+}
+
+// What a read-back needs of a reading, without its beginning, its progress, several requests at once, and what a sink
+// or floats need: an upload alone costs no more than that.
+void Client::ReadingPlan::readOn(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  if (frame != nullptr) return take(client, *frame, nowMs);
+  goOn(client, nowMs, false);
+}
+
+void Client::ReadingPlan::goOn(Client& client, uint16_t nowMs, bool mayBeAhead) {
   State& state = client.state_;
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
   state.readsHalf = true;
-  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
+  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace(), mayBeAhead);
   if (status != Status::Transferring) return end(client, status);
   if (state.isLate) return end(client, Status::TookTooLong);
-  send(client, nowMs);
+  send(client, nowMs, mayBeAhead && asksAhead(client));
 }
 
 void Client::ReadingPlan::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  operate<ReadingPlan>(client, frame, nowMs);
+  if (frame == nullptr) return ReadingPlan::time(client, nowMs);
+  ReadingPlan::frame(client, *frame, nowMs);
 }
 
-void Client::ReadingPlan::send(Client& client, uint16_t nowMs) {
+void Client::ReadingPlan::send(Client& client, uint16_t nowMs, bool asksAhead) {
   DownloadTransfer& transfer = client.reading_.transfer;
   if (!client.link_.canSend() || transfer.mustWait(nowMs)) return;
-  switch (transfer.toSend()) {
+  switch (transfer.toSend(asksAhead)) {
     case DownloadTransfer::Send::Nothing: return;
     case DownloadTransfer::Send::List: client.sendShort(KeyIndex::MISSION_REQUEST_LIST, 0, client.state_.type); break;
     case DownloadTransfer::Send::Request: sendRequest(client, transfer.itemToAsk()); break;
     case DownloadTransfer::Send::Accepted: client.sendAck(MAV_MISSION_ACCEPTED, client.state_.type); break;
   }
-  const bool isAll = transfer.sent(nowMs);
+  const bool isAll = transfer.sent(nowMs, asksAhead);
   client.noteSent(transfer.tries());
   if (isAll) end(client, Status::Downloaded);
 }
@@ -113,11 +146,11 @@ void Client::ReadingPlan::sendRequest(Client& client, uint16_t wireItem) {
   client.sendShort(older ? KeyIndex::MISSION_REQUEST : KeyIndex::MISSION_REQUEST_INT, wireItem, client.state_.type);
 }
 
-void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
+void Client::ReadingPlan::take(Client& client, const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT: return takeCount(client, frame, nowMs);
-    case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-    case MAVLINK_MSG_ID_MISSION_ITEM: return takeItem(client, frame, nowMs);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return compareCount(client, frame, nowMs);
+    // (An autopilot that gives only floats cannot prove an upload.)
+    case MAVLINK_MSG_ID_MISSION_ITEM_INT: return takeItem(client, frame, nowMs, nullptr);
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
@@ -147,38 +180,60 @@ void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16
   }
 }
 
-void Client::ReadingPlan::takeCount(Client& client, const FrameParser& frame, uint16_t nowMs) {
+uint16_t Client::ReadingPlan::countIn(const FrameParser& frame) {
+  return frame.payloadWord(offsetof(mavlink_mission_count_t, count));
+}
+
+// True if it is the answer to our request.
+bool Client::ReadingPlan::onCount(Client& client, const FrameParser& frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
-  if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
-  const uint16_t count = frame.payloadWord(offsetof(Count, count));
-  DownloadTransfer& transfer = client.reading_.transfer;
-  if (!transfer.onCount(count, nowMs, client.link_.pace())) return;
-  if (client.state_.isCompared) {
-    const uint32_t planId = frame.payloadLong(offsetof(Count, opaque_id));
-    client.reading_.planId = planId;
-    // PX4's checksum of its plan proves an upload as well as the items do, where it is in doubt. (Elsewhere ours is 0.)
-    const bool isInDoubt = client.state_.proving && client.rest_.proof != static_cast<uint8_t>(Readback::Always);
-    if (isInDoubt && planId != 0 && planId == client.opaqueId_.value()) return transfer.close();
-  }
-  const Status status = client.takeCount(count);
+  return frame.payloadByte(offsetof(Count, mission_type)) == static_cast<uint8_t>(client.state_.type) &&
+         client.reading_.transfer.onCount(countIn(frame), nowMs, client.link_.pace());
+}
+
+void Client::ReadingPlan::compareCount(Client& client, const FrameParser& frame, uint16_t nowMs) {
+  if (!onCount(client, frame, nowMs)) return;
+  const uint32_t planId = frame.payloadLong(offsetof(mavlink_mission_count_t, opaque_id));
+  client.reading_.planId = planId;
+  // PX4's checksum of its plan proves an upload as well as the items do, where it is in doubt. (Elsewhere ours is 0.)
+  const bool isInDoubt = client.state_.proving && client.rest_.proof != static_cast<uint8_t>(Readback::Always);
+  if (isInDoubt && planId != 0 && planId == client.opaqueId_.value()) return client.reading_.transfer.close();
+  const Status status = client.compareCount(countIn(frame));
   if (status != Status::Transferring) end(client, status);
 }
 
 Status PlanPort::takeCount(uint16_t count) {
   Client& client = static_cast<Client&>(*this);
-  if (!client.state_.isCompared) {
-    const uint16_t items = client.plan_.numbers().ownCount(count);
-    client.state_.itemsTotal = items;
-    return items > client.reading_.sink.limit ? Status::SinkFull : Status::Transferring;
-  }
-  if (client.isOurCount(count)) return Status::Transferring;
-  client.rest_.field = ItemField::Count;
+  if (client.state_.isCompared) return client.compareCount(count);
+  return client.hasRoom(count) ? Status::Transferring : Status::SinkFull;
+}
+
+// True if the sink takes a plan of so many items on the wire.
+bool Client::hasRoom(uint16_t count) {
+  const uint16_t items = plan_.numbers().ownCount(count);
+  state_.itemsTotal = items;
+  return items <= reading_.sink.limit;
+}
+
+Status Client::compareCount(uint16_t count) {
+  if (isOurCount(count)) return Status::Transferring;
+  rest_.field = ItemField::Count;
   return Status::Differs;
 }
 
 bool Client::isOurCount(uint16_t count) const { return plan_.numbers().isCountOf(plan_.count(), count); }
 
-void Client::ReadingPlan::takeItem(Client& client, const FrameParser& frame, uint16_t nowMs) {
+// An item, behind which others may have been asked for.
+void Client::ReadingPlan::takeNext(Client& client, const FrameParser& frame, uint16_t nowMs) {
+  DownloadTransfer& transfer = client.reading_.transfer;
+  const uint16_t item = transfer.itemsTaken();
+  const uint8_t others = transfer.othersAsked();
+  takeItem(client, frame, nowMs, frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM ? fromFloats : nullptr);
+  if (transfer.itemsTaken() == item + 1u) transfer.stayAhead(others, nowMs);
+}
+
+void Client::ReadingPlan::takeItem(Client& client, const FrameParser& frame, uint16_t nowMs,
+                                   void (*fromFloats)(void* itemMessage)) {
   union {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -191,10 +246,7 @@ void Client::ReadingPlan::takeItem(Client& client, const FrameParser& frame, uin
   const uint16_t seq = message.seq;
   if (message.mission_type != static_cast<uint8_t>(client.state_.type)) return;
   if (!transfer.expectsItem(seq, nowMs, client.link_.pace())) return;
-  if (frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM) {
-    if (client.reading_.fromFloats == nullptr) return;
-    client.reading_.fromFloats(&piece.message);
-  }
+  if (fromFloats != nullptr) fromFloats(&piece.message);
   const uint16_t command = message.command;
   const uint8_t frameNumber = message.frame;
   const uint8_t current = message.current;
@@ -210,8 +262,6 @@ void Client::ReadingPlan::takeItem(Client& client, const FrameParser& frame, uin
     return end(client, taken);
   }
   transfer.onItem(nowMs, client.link_.pace());
-  // The progress of an upload stands still during its read-back: the upload is complete only when it is proven.
-  if (!client.state_.proving) client.report(client.ownItem(seq) + 1);
 }
 
 Status Client::ReadingPlan::compare(Client& client, uint16_t wireItem, MissionItem& item) {
@@ -229,7 +279,7 @@ Status Client::ReadingPlan::compare(Client& client, uint16_t wireItem, MissionIt
     // Betaflight gives a height above sea level, by a home that is not known here. That an upload is whole is known
     // from the count, which is 0 from our MISSION_COUNT to the last item; a plan of before is not to be told by that.
     if (field == ItemField::Reference && plan.has(kGivesHeightsAboveSea) && client.state_.proving &&
-        client.state_.operation == step) {
+        client.state_.operation == readOn) {
       item.frame = meant.frame;
       item.z = meant.z;
       field = difference(meant, item, plan.keeper());

@@ -9,9 +9,7 @@ using namespace detail;
 // True if the operation continues.
 bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   const Rest& rest = client.rest_;
-  if (rest.options.fallBack != nullptr && rest.options.fallBack(client, status, nowMs)) return true;
-  if (rest.options.backOff != nullptr && !client.transfer_.hasBegun() && rest.options.backOff(client, status))
-    return true;
+  if (rest.options.goOn != nullptr && rest.options.goOn(client, status, nowMs)) return true;
   const UploadTransfer& transfer = client.transfer_;
   // A server whose ways are not known has given the upload up. On a line that loses that may be the cause, and what it
   // held is gone: so the upload begins anew, within the time for the whole operation.

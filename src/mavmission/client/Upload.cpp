@@ -59,7 +59,7 @@ void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t 
 // shows that our COUNT was heard. A transfer that was left open is known of.)
 void Client::Uploading::noteEarly(Client& client, const FrameParser& frame) {
   typedef mavlink_mission_request_int_t Request;
-  const uint32_t id = frame.messageId();
+  const uint16_t id = frame.messageId();
   const bool isRequest = id == MAVLINK_MSG_ID_MISSION_REQUEST || id == MAVLINK_MSG_ID_MISSION_REQUEST_INT;
   const bool isKnown = (client.state_.unsettled & kFromOpen) != 0;
   if (isRequest && !isKnown && frame.payloadWord(offsetof(Request, seq)) == 0) client.state_.isDoubtful = true;
@@ -145,7 +145,6 @@ void Client::Uploading::begin(Client& client, uint16_t nowMs) {
   client.setOfPlan(true);
   client.setAboard(Aboard::NotKnown);  // from now on, until an answer says it
   client.transfer_.begin(client.plan_.wireCount(), client.plan_.firmware(), client.state_.unsettled);
-  if (client.rest_.announcePart != nullptr) client.rest_.announcePart(client, true);
   client.opaqueId_.begin();
   client.state_.next = 0;
   client.state_.status = Status::Transferring;
@@ -301,7 +300,7 @@ void Client::Uploading::sendAnnouncement(Client& client) {
   if (client.transfer_.toSend() == UploadTransfer::Send::Cancel) {
     client.sendAck(MAV_MISSION_OPERATION_CANCELLED, client.state_.type);
   } else if (client.rest_.announcePart != nullptr) {
-    client.rest_.announcePart(client, false);
+    client.rest_.announcePart(client);
   } else {
     client.sendShort(KeyIndex::MISSION_COUNT, client.plan_.wireCount(), client.state_.type);
   }

@@ -44,10 +44,7 @@ void Client::VerifiedStart::note(Client& client) {
 
 void Client::VerifiedStart::wait(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.hasAutopilot()) note(client);
-  ReadingPlan::step(client, frame, nowMs);
-  if (client.state_.operation == wait && client.state_.status == Status::Transferring) {
-    client.state_.operation = ReadingPlan::step;
-  }
+  ReadingPlan::beginStep(client, frame, nowMs);
 }
 
 Status Client::VerifiedStart::compareFirst(Client& client, uint16_t wireItem, MissionItem& item) {
@@ -78,10 +75,9 @@ Status Client::VerifiedStart::on(Client& client, CommandEvent event, Status stat
                                  uint16_t nowMs) {
   status = Starting::on(client, event, status, frame, nowMs);
   if (status != Status::Done || client.known_.planId != 0) return status;
-  client.startOperation(ReadingPlan::step);
+  client.startOperation(ReadingPlan::beginStep);
   client.reading_.take = ReadingPlan::compare;
   client.state_.isCompared = true;
-  client.reading_.fromFloats = fromFloats;
   client.state_.itemsTotal = client.plan_.count();
   client.rest_.tellEnd = end;
   return Status::Transferring;

@@ -144,7 +144,7 @@ class FrameParser : public ParserRules {
 
   bool takePlainly(uint8_t byte);
   void keep(uint8_t byte);
-  Result grow(uint8_t byte);
+  MAVMISSION_ONE_EXIT Result grow(uint8_t byte);
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result classify();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result complete();
   MAVMISSION_APART void noteSender();

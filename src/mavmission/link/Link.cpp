@@ -48,7 +48,7 @@ void Link::look(uint32_t nowMs) {
 
 void Link::noteEmpty(uint32_t nowMs) { state_.emptyMs = nowMs; }
 
-bool Link::canSend() const { return outbox_.isEmpty(); }
+bool Link::canSend() const { return isSent() && !finder_.isDoubted(); }
 
 void Link::add(MoreKeys& listener) {
   MoreKeys*& first = parser_.moreKeys();
@@ -157,7 +157,6 @@ void Link::noteSequence(uint8_t left) {
 void Link::release() {
   if (!maySpeak()) return outbox_.drop();
   outbox_.release(pace_.isLossy());
-  ++state_.sequence;
   ++state_.framesSent;
 }
 
@@ -175,16 +174,16 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
   // A type of plan that MAVLink 1 would cut off would be another plan's: a frame says all of it, or waits for nobody.
   const uint8_t lengthV1 = fromFlash(&key->lengthV1);
   const bool isCut = lengthV1 < fromFlash(&key->length) && payload[lengthV1] != 0;
-  outbox_.begin(speaksV1() && !isCut, state_.sequence, systemId(), componentId());
+  outbox_.begin(speaksV1() && !isCut, sequence(), systemId(), componentId());
   outbox_.complete(key, payload);
 }
 
 bool Link::sendForeign(const OutgoingMessage& message) {
   const bool isV1 = speaksV1();
-  if (!canSend() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
+  if (!isSent() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
     return false;
   }
-  outbox_.begin(speaksV1(), state_.sequence, systemId(), componentId());
+  outbox_.begin(speaksV1(), sequence(), systemId(), componentId());
   outbox_.completeForeign(message);
   release();
   return true;

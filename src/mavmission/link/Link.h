@@ -70,7 +70,8 @@ class Link : public LinkRules {
   // Adds a listener, which is given the frames as well.
   void add(MoreKeys& listener);
 
-  // True when send() can take a frame. The frame is dropped while we must not send yet (maySpeak()).
+  // True when send() can take a frame, and it is not in doubt whose the link is. The frame is dropped while we must
+  // not send yet (maySpeak()).
   MAVMISSION_APART bool canSend() const;
 
   // Sends a message of one of the types in Messages.h; if the type has target ids, they are set to the autopilot's. To
@@ -111,13 +112,16 @@ class Link : public LinkRules {
   void spoil() { outbox_.spoil(); }
   // What is being sent is for an autopilot that is not ours any more: the rest of it does not leave.
   void cut() { outbox_.cut(); }
-  bool isSent() const { return canSend(); }
+  bool isSent() const { return outbox_.isEmpty(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
   void flush(uint16_t nowMs, uint8_t most) {
     for (; most > 1 && !outbox_.isEmpty() && StreamRoom::saysOne(*stream_); --most) outbox_.flush(*stream_, nowMs, 1);
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
+
+  // True if update() is called often, and nothing is lost: what comes without a pause fits into the receive buffer.
+  bool isQuick() const { return state_.gap == 0 && !pace_.isLossy(); }
 
   // How quickly the line answers, and whether it loses.
   Pace& pace() { return pace_; }
@@ -151,6 +155,8 @@ class Link : public LinkRules {
   // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
   // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
+  // The number of our next frame.
+  uint8_t sequence() const { return static_cast<uint8_t>(state_.framesSent); }
   // How many numbers lie between the autopilot's last frame and this one.
   uint8_t numbersBefore() const { return static_cast<uint8_t>(parser_.sequence() - state_.heardSequence - 1); }
   // True if later ones have come already, or if it comes twice.
@@ -177,8 +183,7 @@ class Link : public LinkRules {
     uint16_t frames;
     uint16_t unknownMessages;
     uint16_t framesLost;
-    uint16_t framesSent;
-    uint8_t sequence;
+    uint16_t framesSent;  // its low byte is the number of the next frame
     uint8_t heardSequence;
     uint8_t ownSystemId;
     uint8_t ownComponentId;

@@ -11,7 +11,7 @@ namespace mavmission {
 namespace detail {
 
 void Link::sendStreamed(const MessageKey* key, uint8_t length, Outbox::NextPiece next, void* context) {
-  outbox_.begin(false, state_.sequence, systemId(), componentId());
+  outbox_.begin(false, sequence(), systemId(), componentId());
   outbox_.completeStreamed(key, length, next, context);
   release();
 }

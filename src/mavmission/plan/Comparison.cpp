@@ -56,7 +56,13 @@ struct Four {
   bool isBelow0() const { return (bytes[3] & 0x80) != 0; }
 };
 
-MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return a.bits == b.bits; }
+// (A loop over the bytes takes less code than a comparison of all four.)
+MAVMISSION_APART bool isEqual(const Four& a, const Four& b) {
+  for (uint8_t i = 0; i < 4; ++i) {
+    if (a.bytes[i] != b.bytes[i]) return false;
+  }
+  return true;
+}
 
 // True for equal floats and for neighbours: iNav divides its centimetres by 100, where others multiply them by 0.01.
 bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }
@@ -94,43 +100,42 @@ bool areNoNumbers(const void* a, const void* b) {
 
 // Makes `kept` of the field as it was sent: the value that the autopilot keeps. The slow conversions are left out when
 // the field as it was read `is` the same as it was sent. False if the kept value would not mean the same.
-MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
+MAVMISSION_APART MAVMISSION_ONE_EXIT bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t field, Keeper keeper,
+                                               bool is) {
   const bool isZ = field == kZ;
   kept = sent;
+  if (kind == D || (kind == NoYaw && field == kYaw)) {
+    kept.bits = 0;
+    return true;
+  }
   if (field == kX || field == kY) {
-    if (kind == U8) return kept.bits <= 0xFF;
-    if (kind == I16) return kept.bits + 0x8000 <= 0xFFFF;
-    if (kind == D) kept.bits = 0;
-    if (kind == D || (keeper & kInFloats) == 0) return true;
+    if (kind == U8) return (kept.bytes[1] | kept.bytes[2] | kept.bytes[3]) == 0;
+    if (kind == I16) return static_cast<uint16_t>((kept.bits + 0x8000) >> 16) == 0;
+    if ((keeper & kInFloats) == 0) return true;
     throughFloat(&kept);
     return kind == Rounded || isEqual(kept, sent);
   }
   if (kind == K) return true;
-  if (kind == D || kind == NoYaw) {
-    kept.bits = 0;
-    return kind == D || field == kYaw || (sent.bits << 1) == 0;  // NoHold
-  }
   if (kind == Height && isZ) {
     if (!is && (isByArduPilot(keeper) || isByOwn(keeper))) makeHundredths(&kept);
     return true;
   }
-  const uint8_t sign = kept.bytes[3] & 0x80;
   if (kServesArduPilot && kind == Centimetres) {
-    const bool isWithin = kept.bits < 0x4423D70A;  // 655.36; negative numbers have larger bits
+    if (kept.bits >= 0x4423D70A) return false;  // 655.36; negative numbers have larger bits
     makeHundredths(&kept);
-    return isWithin;
+    return true;
+  }
+  const uint8_t sign = kept.bytes[3] & 0x80;
+  if (kind == Yaw360) {
+    if (kindOf(&kept) == FloatKind::NotANumber) return true;
+    if ((kept.bits & 0x7FFFFFFF) > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
+    if (!is) makeTurn(&kept);
+    return true;
   }
   kept.bytes[3] &= 0x7F;  // the magnitude, for the time being
-  if (kind == Yaw360) {
-    const bool isWithin = kept.bits <= (sign != 0 ? 0x43340000 : 0x43B40000);  // 180, 360
-    kept.bytes[3] |= sign;
-    if (kindOf(&kept) == FloatKind::NotANumber) return true;
-    if (!is) makeTurn(&kept);
-    return isWithin;
-  }
   static_assert(Zero == Special, "a Zero is told from a Special by its field");
-  // param2 or param4; no table of its own has a Special.
-  if (kind == Zero && ((field & 1) != 0 || (keeper & kOwn) != 0)) kind = kOnlyZero;
+  // A Zero is in param2 or param4; no table of its own has a Special.
+  if (kind == NoHold || (kind == Zero && ((field & 1) != 0 || (keeper & kOwn) != 0))) kind = kOnlyZero;
   const int32_t number = wholeNumber(&kept);
   const uint16_t whole = static_cast<uint16_t>(number);  // 65535 if it is none
   if (kind >= U1) {
@@ -146,9 +151,13 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
     if (isByPx4(keeper) && (keeper & kInFloats) == 0) kept.bits = 0;
     return isKept;
   }
-  if (!kServesArduPilot) return true;                          // no other has a Sign, or a MountMode
-  kept.bits = 0x3F800000 | static_cast<uint32_t>(sign) << 24;  // 1 or -1
-  if (isZ) kept.bits = 0x40000000;                             // 2
+  if (!kServesArduPilot) return true;  // no other has a Sign, or a MountMode
+  kept.bits = 0;
+  kept.bytes[3] = 0x40;  // 2
+  if (!isZ) {
+    kept.bytes[2] = 0x80;
+    kept.bytes[3] = 0x3F | sign;  // 1 or -1
+  }
   return (keeper & kByPlane) == 0 || isZ || whole <= 1;
 }
 

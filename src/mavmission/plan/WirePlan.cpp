@@ -60,6 +60,7 @@ bool hasHeight(const MissionItem& item) { return item.command < kNavLast || !isA
 
 Status WirePlan::check(MissionItem& item, Rules rules) const {
   if (item.current > 1) return Status::BadCurrent;
+  const Keeper keeper = keeper_;  // once from memory, since the item might be there
   // param1 to param4, x, y and z lie one after the other, four bytes each.
   const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
   for (uint8_t bit = 1 << 1; bit != 0; bit <<= 1, number += 4) {
@@ -69,7 +70,7 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
     if (kind != FloatKind::NotANumber) continue;
     // ArduPilot takes none, as do those with a table of their own. As a yaw a NaN means "as you fly": ArduPilot has 0
     // for that, and the others turn to no heading.
-    const bool isTaken = !isByArduPilot(keeper_) && !isByOwn(keeper_);
+    const bool isTaken = !isByArduPilot(keeper) && !isByOwn(keeper);
     if (bit == 1 << 4 && rules.hasYaw()) {
       if (!isTaken) item.param4 = 0;
     } else if (!isTaken || (unsetOf(item.command) & bit) == 0) {
@@ -77,8 +78,8 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
     }
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
-  const bool isArduPilot = isByArduPilot(keeper_);
-  const bool isMission = (keeper_ & (kOfFence | kOfRally)) == 0;
+  const bool isArduPilot = isByArduPilot(keeper);
+  const bool isMission = (keeper & (kOfFence | kOfRally)) == 0;
   if (!rules.has(kHasNoPlace)) {
     // The coordinates are checked in every frame: in a mission ArduPilot uses them even if the frame says that there
     // are none.
@@ -86,20 +87,20 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
     if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
     if (hasPlace(item)) {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
-    } else if (!isMission || isByPx4(keeper_) || isByOwn(keeper_)) {
+    } else if (!isMission || isByPx4(keeper) || isByOwn(keeper)) {
       return Status::NeedsCoordinates;
     } else if (!rules.has(kPlaceIsOptional) && hasHeight(item)) {
       return Status::BadFrame;
     }
-    if (isArduPilot && (keeper_ & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
-    if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && isAtZero(item))
+    if (isArduPilot && (keeper & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
+    if ((isByPx4(keeper) || isByOwn(keeper)) && rules.has(kPlaceIsOptional) && isAtZero(/*item=*/item))
       return Status::Checking;
   }
   if (item.command == kDoJump) {
     const uint16_t target = static_cast<uint16_t>(wholeNumber(&item.param1));  // 65535, which is beyond: it is none
     // Home cannot be a jump's target. With raw item numbers, home is item 0.
     if (target >= count_ || numbers_.isOwnHome(target)) return Status::BadJump;
-    if (numbers_.isHomeAdded()) item.param1 = oneMore(item.param1);
+    if (numbers_.isHomeAdded()) setWhole(&item.param1, target + 1);
   }
   return Status::Accepted;
 }

@@ -8,6 +8,10 @@
 //    v                   v
 //   NoAnswer            TimedOut
 //
+// An autopilot that answers each request by itself is asked for several items, one behind the other, before the first
+// has come. They are taken in their order. When one is lost, what comes behind it is not used: from it on all are asked
+// for again, when no answer can be under way any more.
+//
 // PX4 ends a reading at a request that it does not expect, as a copy of an earlier one is that the line brings. The
 // reading then begins anew, and each request waits until a copy of the one before has arrived.
 #pragma once
@@ -38,40 +42,49 @@ class DownloadTransfer : public DownloadRules {
   // long the line takes. onItem() says that the item has been used, and requests the next one.
   bool expectsItem(uint16_t item, uint16_t nowMs, Pace& pace) const;
   void onItem(uint16_t nowMs, Pace& pace);
+  // Where several may be asked for at once: stayAhead() says after onItem() how many others had been asked for before.
+  uint8_t othersAsked() const { return asked_ == 0 ? 0 : static_cast<uint8_t>(asked_ - 1); }
+  void stayAhead(uint8_t others, uint16_t nowMs);
   // No item is needed: the reading is closed.
   void close() {
     state_ = State::Closing;
-    isDue_ = true;
+    asked_ = 0;
   }
   // Requests the item that has just come again at once, because it could not be used yet.
   void askAgain();
   // The autopilot has ended the reading: it begins anew. False if it has ended it too often.
   bool beginAnew(uint16_t nowMs);
   Status onAck(uint8_t result) const;
-  Status onTime(uint16_t nowMs, const Pace& pace);
+  // `mayBeAhead`: several items may have been asked for at once.
+  Status onTime(uint16_t nowMs, const Pace& pace, bool mayBeAhead = true);
 
   // True while a copy of the last message may still arrive, and would end the reading.
   bool mustWait(uint16_t nowMs) const;
   // The output: the message to send next and, for a request, the number of the item. Call sent() when the message has
-  // been handed to the link; sent() is true if that was the last message of the download.
-  Send toSend() const { return isDue_ ? static_cast<Send>(static_cast<uint8_t>(state_) + 1) : Send::Nothing; }
-  uint16_t itemToAsk() const { return next_; }
-  bool sent(uint16_t nowMs);
+  // been handed to the link; sent() is true if that was the last message of the download. `asksAhead`: several items
+  // may be asked for at once now.
+  Send toSend(bool asksAhead = false) const {
+    if (asked_ != 0 && !(asksAhead && asked_ < kUnderWay && asked_ < left_)) return Send::Nothing;
+    return static_cast<Send>(static_cast<uint8_t>(state_) + 1);
+  }
+  uint16_t itemToAsk() const { return next_ + asked_; }
+  uint16_t itemsTaken() const { return next_; }
+  bool sent(uint16_t nowMs, bool asksAhead = true);
 
   State state() const { return state_; }
   // True if the download is in this state and its request has been sent. An answer that comes before the request has
   // been sent belongs to something earlier.
-  bool expectsAnswer(State state) const { return state_ == state && tries_ != 0; }
+  bool expectsAnswer(State state) const { return state_ == state && (tries_ | asked_) != 0; }
   uint8_t tries() const { return tries_; }
 
  private:
   uint16_t sentMs_;
-  uint16_t startedMs_;  // when the request that is open now was sent first
-  uint16_t count_;
-  uint16_t next_;
+  uint16_t startedMs_;  // when the request that is open now was sent first; not of one of several behind another
+  uint16_t left_;       // items that have not come
+  uint16_t next_;       // the first of them
   State state_;
-  bool isDue_;     // the message of this state is to be sent
-  uint8_t tries_;  // attempts at the request that is open now
+  uint8_t asked_;  // messages of this state under way: of requests for items, from next_ on; 0: one is to be sent
+  uint8_t tries_;  // attempts at the request that is open now; 0 also while it is one of several
   uint8_t anew_;   // how often the reading has begun anew
 };
 

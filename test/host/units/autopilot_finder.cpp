@@ -132,6 +132,11 @@ TEST_CASE("another firmware or vehicle with the same ids, a restart, and another
     finder.setVehicle(true);
     const uint8_t knowledge = finder.knowledge();
     finder.onHeartbeat(row.next, 1300);
+    if (finder.isDoubted()) {  // the next one decides
+      CHECK(finder.knowledge() == knowledge);
+      finder.onHeartbeat(row.next, 1350);
+    }
+    CHECK_FALSE(finder.isDoubted());
     CHECK((finder.knowledge() != knowledge) == row.isOther);
     CHECK(finder.isVehicleKnown() == !row.isOther);
     CHECK(finder.takeChange() == row.isOther);
@@ -142,6 +147,28 @@ TEST_CASE("another firmware or vehicle with the same ids, a restart, and another
     CHECK_FALSE(finder.takeChange());
     finder.setTargetIds(2, 1);
     CHECK(finder.takeChange());
+  }
+}
+
+TEST_CASE("one heartbeat of ours that shows another vehicle changes nothing when the next one shows ours again") {
+  for (const Heartbeat& odd :
+       {from(1, 1, MAV_AUTOPILOT_ARDUPILOTMEGA), from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_OCTOROTOR)}) {
+    Finder finder;
+    finder.onHeartbeat(from(1, 1), 0);
+    finder.onTime(AutopilotFinder::kSettleMs);
+    CHECK_FALSE(finder.takeChange());
+    for (const uint16_t now : {1300, 2300}) {
+      finder.onHeartbeat(odd, now);
+      CHECK(finder.isDoubted());
+      CHECK(finder.isCertain());
+      CHECK(finder.heartbeat().vehicleType == from(1, 1).vehicleType);
+      finder.onHeartbeat(from(1, 1), static_cast<uint16_t>(now + 500));
+      CHECK_FALSE(finder.isDoubted());
+    }
+    CHECK_FALSE(finder.takeChange());
+    finder.onHeartbeat(odd, 3300);
+    finder.setTargetIds(2, 1);
+    CHECK_FALSE(finder.isDoubted());
   }
 }
 

@@ -422,7 +422,7 @@ TEST_CASE("an autopilot that is another one while the plan is checked gets the p
   desk.client.uploadWithoutReadback(fromFunction(read, 300));
   desk.run(100);
   REQUIRE((desk.client.status() == Status::Checking));
-  desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
+  for (int i = 0; i < 2; ++i) desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
   desk.beats = false;
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
   CHECK(valueAt<uint16_t>(desk.sent.back(), 0) == 301);

@@ -19,6 +19,14 @@ struct Sketch : Flown {
   }
   static void note(void* context, Status status) { static_cast<Sketch*>(context)->told.push_back(status); }
   size_t looks() const { return timesOf(kRequestList, 0).size(); }
+  // Until items are asked for. They do not come before isMute is false again.
+  void flyIntoFirstLook() {
+    for (int i = 0; i < 6000 && looks() == 0; ++i) fly(1);
+    isMute = true;
+    fly(5);
+    REQUIRE(client.isBusy());
+    REQUIRE_FALSE(timesOf(kRequestInt, 0).empty());
+  }
   // Until the second look has begun, with the aircraft in flight.
   void flyUntilSecondLook() {
     for (int i = 0; i < 6000 && looks() < 2; ++i) fly(5);
@@ -167,15 +175,16 @@ TEST_CASE("a mode that somebody sets during the first look stays") {
       REQUIRE_FALSE(sketch.client.hasAutopilot());
     }
     sketch.client.verifyAndStart(inRam(kFlownPlan));
-    for (int i = 0; i < 6000 && sketch.timesOf(ClientOnLine::kRequestInt, 0).size() < 3; ++i) sketch.fly(1);
-    REQUIRE(sketch.client.isBusy());
+    sketch.flyIntoFirstLook();
     sketch.mode = kLoiter;
     sketch.beat();
     if (which == Case::SetTwice) {
-      for (int i = 0; i < 6000 && sketch.timesOf(ClientOnLine::kRequestInt, 0).size() < 4; ++i) sketch.fly(1);
+      sketch.give(0);
+      sketch.fly(5);
       sketch.mode = kStabilize;  // as before
       sketch.beat();
     }
+    sketch.isMute = false;
     const uint32_t mode = sketch.mode;
     sketch.fly(4000);
     CHECK(sketch.told == std::vector<Status>{Status::TakenOver});
@@ -213,14 +222,16 @@ TEST_CASE("who disarms an armed aircraft before its start can begin keeps it dis
       sketch.client.start();
     } else {
       sketch.client.verifyAndStart(inRam(kFlownPlan));
-      for (int i = 0; i < 6000 && sketch.timesOf(ClientOnLine::kRequestInt, 0).size() < 2; ++i) sketch.fly(1);
+      sketch.flyIntoFirstLook();
     }
     REQUIRE(sketch.client.isBusy());
     sketch.baseMode = kArmed;
     if (armed == Armed::WhileItReads) {
       sketch.beat();
+      sketch.give(0);
       sketch.fly(15);
     }
+    sketch.isMute = false;
     sketch.baseMode = kDisarmed;
     sketch.beat();
     sketch.fly(4000);

@@ -37,7 +37,11 @@ DownloadTransfer fetching(uint16_t items, uint16_t nowMs = 0) {
 // This item comes; true if it was asked for.
 bool came(DownloadTransfer& transfer, uint16_t item, uint16_t nowMs = 0) {
   const bool isExpected = transfer.expectsItem(item, nowMs, pace);
-  if (isExpected) transfer.onItem(nowMs, pace);
+  const uint8_t others = transfer.othersAsked();
+  if (isExpected) {
+    transfer.onItem(nowMs, pace);
+    transfer.stayAhead(others, nowMs);
+  }
   return isExpected;
 }
 
@@ -193,7 +197,6 @@ TEST_CASE("a plan without items is read when its count has come") {
 
 TEST_CASE("an item that comes again shows how long the line takes, however soon its first coming was") {
   DownloadTransfer transfer = fetching(3);
-  transfer.sent(0);
   CHECK(came(transfer, 0, 20));  // the answer to a request of an earlier reading
   CHECK(pace.roundTripMs() == 20);
   CHECK_FALSE(came(transfer, 0, 40));  // the next one has not been asked for yet: it shows nothing
@@ -207,4 +210,93 @@ TEST_CASE("an item that comes again shows how long the line takes, however soon 
   CHECK_FALSE(came(transfer, 0, 5000));
   CHECK(pace.roundTripMs() == uint16_t(Pace::kMostMs));
   CHECK(came(transfer, 1, 5100));
+}
+
+namespace {
+
+// Asks for items as long as several may be asked for, and says for how many.
+int askedAhead(DownloadTransfer& transfer, uint16_t nowMs) {
+  int asked = 0;
+  for (; transfer.toSend(true) == Send::Request; ++asked) transfer.sent(nowMs);
+  return asked;
+}
+
+}  // namespace
+
+TEST_CASE("where several may be asked for, five are under way, as long as there are so many") {
+  DownloadTransfer transfer = fetching(7);
+  CHECK(transfer.toSend() == Send::Nothing);
+  CHECK(transfer.itemToAsk() == 1);
+  CHECK(askedAhead(transfer, 0) == 4);
+  CHECK(transfer.itemToAsk() == 5);
+  for (uint16_t item = 0; item < 7; ++item) {
+    CHECK_FALSE(came(transfer, item + 1, 10));
+    CHECK(came(transfer, item, 10));
+    CHECK(transfer.toSend() == (item == 6 ? Send::Accepted : Send::Nothing));
+    CHECK(askedAhead(transfer, 10) == (item < 2 ? 1 : 0));
+  }
+  CHECK(transfer.state() == State::Closing);
+}
+
+TEST_CASE("a list is asked for once, however many items may be asked for") {
+  DownloadTransfer transfer = begun();
+  transfer.sent(0);
+  CHECK(transfer.toSend(true) == Send::Nothing);
+  transfer.onCount(0, 0, pace);
+  CHECK(transfer.toSend(true) == Send::Accepted);
+  transfer.sent(0);
+  CHECK(transfer.toSend(true) == Send::Nothing);
+}
+
+TEST_CASE("of several nothing is asked for anew before their answers have had time to come, on a line that loses too") {
+  DownloadTransfer transfer = fetching(9);
+  pace.learn(300, true);
+  askedAhead(transfer, 100);
+  pace.noteLoss();
+  CHECK(came(transfer, 0, 300));
+  for (uint16_t now = 300; now < 300 + 300 + Pace::kLeastMs; ++now) {
+    CHECK(goesOn(transfer.onTime(now, pace)));
+    REQUIRE(transfer.toSend() == Send::Nothing);
+  }
+  CHECK(goesOn(transfer.onTime(300 + 300 + Pace::kLeastMs, pace)));
+  CHECK(transfer.toSend() == Send::Request);
+  CHECK(transfer.itemToAsk() == 1);
+  transfer.sent(650);
+  CHECK(transfer.tries() == 2);  // it was one of several before
+  // Now it is the only one, and repeated as ever.
+  CHECK(goesOn(transfer.onTime(650 + 300 / Pace::kHurry, pace)));
+  CHECK(transfer.toSend() == Send::Request);
+}
+
+TEST_CASE("an item that is one of several is asked for 8 times, too") {
+  DownloadTransfer transfer = fetching(9);
+  askedAhead(transfer, 0);
+  CHECK(came(transfer, 0, 10));
+  uint16_t now = 10;
+  for (int tries = 1; tries < 8; ++tries) {
+    now = static_cast<uint16_t>(now + 250);
+    CHECK(goesOn(transfer.onTime(now, pace)));
+    CHECK(transfer.itemToAsk() == 1);
+    CHECK(askedAhead(transfer, now) == 5);
+  }
+  CHECK((transfer.onTime(static_cast<uint16_t>(now + 250), pace) == Status::TimedOut));
+}
+
+TEST_CASE("of several the first to come shows how long the line takes, and no later one") {
+  DownloadTransfer transfer = fetching(20);
+  askedAhead(transfer, 0);
+  CHECK(came(transfer, 0, 40));
+  CHECK(pace.roundTripMs() == 40);
+  askedAhead(transfer, 40);
+  CHECK(came(transfer, 1, 5));  // 65,541 ms: more than the clock has bits for
+  CHECK(pace.roundTripMs() == 40);
+  askedAhead(transfer, 5);
+  CHECK_FALSE(came(transfer, 1, 900));  // once more: it shows nothing either
+  CHECK(pace.roundTripMs() == 40);
+  // Nothing comes: what comes then took at least so long since the last sign of it.
+  CHECK(goesOn(transfer.onTime(5 + 250, pace)));
+  CHECK(transfer.toSend() == Send::Request);
+  transfer.sent(260);
+  CHECK(came(transfer, 2, 262));
+  CHECK(pace.roundTripMs() == 40);
 }

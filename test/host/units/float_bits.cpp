@@ -86,6 +86,9 @@ TEST_CASE("one more and one less than each whole number") {
     REQUIRE(oneMore(static_cast<float>(number)) == static_cast<float>(number + 1));
     REQUIRE(oneLess(static_cast<float>(number)) == static_cast<float>(number == 0 ? 0 : number - 1));
     REQUIRE(floatOf(static_cast<uint16_t>(number)) == static_cast<float>(number));
+    float set = -0.f;
+    if (number != 0) setWhole(&set, static_cast<uint16_t>(number));
+    REQUIRE(set == static_cast<float>(number));
   }
 }
 

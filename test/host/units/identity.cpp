@@ -197,11 +197,12 @@ TEST_CASE("what was begun for an autopilot that falls silent is not carried out 
 TEST_CASE("another autopilot, or a restart, ends what runs, and all that was known is forgotten") {
   const std::vector<std::function<void(Line&)>> changes = {
       [](Line& line) { line.client.setTargetIds(2, 1); },
-      [](Line& line) { line.hear(beatOf({1, 1, 2, 12})); },                   // PX4 by the same ids
-      [](Line& line) { line.hear(beatOf({1, 1, 10, 3})); },                   // a rover
-      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1})); },              // it boots
-      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1, 1})); },           // the same, in MAVLink 1
-      [](Line& line) { line.pass(5500), line.hear(beatOf({1, 1, 10, 3})); },  // behind a silence
+      [](Line& line) { line.hear(beatOf({1, 1, 2, 12})), line.hear(beatOf({1, 1, 2, 12})); },  // PX4 by the same ids
+      [](Line& line) { line.hear(beatOf({1, 1, 10, 3})), line.hear(beatOf({1, 1, 10, 3})); },  // a rover
+      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1})); },                               // it boots
+      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1, 1})); },                            // the same, in MAVLink 1
+      // Behind a silence.
+      [](Line& line) { line.pass(5500), line.hear(beatOf({1, 1, 10, 3})), line.hear(beatOf({1, 1, 10, 3})); },
   };
   for (size_t i = 0; i < changes.size(); ++i) {
     CAPTURE(i);
@@ -226,6 +227,20 @@ TEST_CASE("another autopilot, or a restart, ends what runs, and all that was kno
     CHECK((line.end() == Status::Unproven));
     CHECK(line.sent.size() <= 2);  // our heartbeat
   }
+}
+
+TEST_CASE("behind one heartbeat that shows another vehicle nothing is sent until the next one, and then it goes on") {
+  Line line;
+  line.pass(3000);
+  line.client.upload(inRam(kPlan));
+  REQUIRE(line.passUntilSent(ClientOnLine::kCount));
+  line.hear(beatOf({1, 1, 13, 3}));
+  line.heard.clear();
+  line.sent.clear();
+  line.pass(4000);
+  CHECK(line.sent.empty());
+  line.heard = {kOurs};
+  CHECK((line.end() == Status::Accepted));
 }
 
 TEST_CASE("no heartbeat of another device changes what is done, to whom, or what is known") {

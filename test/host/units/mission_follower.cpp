@@ -124,13 +124,15 @@ struct Desk : ClientOnLine {
   void verify(const std::vector<mavlink_mission_item_int_t>& held) {
     client.verify(inRam(kPlan));
     REQUIRE(runUntilSent(kRequestList, 3000));
+    sent.clear();
     mavlink_mission_count_t message = mavlink_mission_count_t();
     message.count = static_cast<uint16_t>(held.size());
     message.target_system = 1;
     message.target_component = 191;
     tell(MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, message);
-    while (client.isBusy() && runUntilSent(kRequestInt, 100)) {
-      mavlink_mission_item_int_t item = held.at(sent.back().payload[0]);
+    for (size_t i = 0; client.isBusy() && (i < sent.size() || runUntilSent(kRequestInt, 100)); ++i) {
+      if (sent[i].messageId != kRequestInt) continue;
+      mavlink_mission_item_int_t item = held.at(sent[i].payload[0]);
       item.target_component = 191;
       if (item.seq == 0) {  // home, which is the autopilot's own
         item.command = MAV_CMD_NAV_WAYPOINT;

@@ -730,19 +730,45 @@ TEST_CASE("on a line that loses, an unknown server gets room for its own timeout
   }
 }
 
-TEST_CASE("on a line that loses, an item that is not answered is sent again every 50 ms") {
-  Upload upload(3, Firmware::Px4);
-  upload.send();
-  upload.wait(18);
-  upload.request(0);
-  upload.send();
-  upload.pace.noteLoss();
-  for (int repeat = 0; repeat < 20; ++repeat) {
-    CHECK(goesOn(upload.wait(49)));
+TEST_CASE("on a line that loses, an item that is not answered is sent again every 25 ms, the last one every 50 ms") {
+  for (const Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
+    Upload upload(2, firmware);
+    upload.send();
+    upload.wait(18);
+    upload.request(0);
+    upload.send();
+    upload.pace.noteLoss();
+    for (const uint16_t item : {0, 1}) {
+      const uint16_t againMs = item == 0 ? 25 : 50;
+      for (int repeat = 0; repeat < 20; ++repeat) {
+        CHECK(goesOn(upload.wait(againMs - 1)));
+        CHECK((upload.transfer.toSend() == Send::Nothing));
+        upload.wait(1);
+        CHECK((upload.send() == Send::Item));
+        CHECK(upload.transfer.lastItem() == item);
+      }
+      upload.request(1);
+      upload.send();
+    }
+  }
+}
+
+TEST_CASE("where answers take 25 ms, an item is sent again every 50 ms: one copy is under way at a time") {
+  for (const uint16_t roundTripMs : {24, 25}) {
+    Upload upload(3, Firmware::ArduPilot);
+    upload.send();
+    upload.wait(roundTripMs);
+    upload.request(0);
+    upload.send();
+    upload.pace.noteLoss();
+    CHECK(goesOn(upload.wait(24)));
     CHECK((upload.transfer.toSend() == Send::Nothing));
     upload.wait(1);
-    CHECK((upload.send() == Send::Item));
-    CHECK(upload.transfer.lastItem() == 0);
+    CHECK((upload.send() == (roundTripMs == 24 ? Send::Item : Send::Nothing)));
+    CHECK(goesOn(upload.wait(24)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    upload.wait(1);
+    CHECK((upload.transfer.toSend() == Send::Item));
   }
 }
 
@@ -844,15 +870,18 @@ TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated eve
   CHECK((upload.transfer.toSend() == Send::Cancel));
 }
 
-TEST_CASE("repeats take a fifth of the line at the most") {
-  Upload upload(3);
-  upload.served(1);
-  upload.pace.noteLoss();
-  upload.pace.noteBusy(60);  // 9600 baud
-  CHECK(goesOn(upload.wait(299)));
-  CHECK((upload.transfer.toSend() == Send::Nothing));
-  upload.wait(1);
-  CHECK((upload.transfer.toSend() == Send::Item));
+TEST_CASE("an item's repeats take two fifths of the line at the most; the last one's, and a COUNT's, a fifth") {
+  for (const uint16_t asked : {0, 1, 3}) {
+    Upload upload(3, Firmware::ArduPilot);
+    upload.served(asked);
+    upload.pace.noteLoss();
+    upload.pace.noteBusy(60);  // 9600 baud
+    const uint16_t againMs = asked == 1 ? 150 : 300;
+    CHECK(goesOn(upload.wait(againMs - 1)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    upload.wait(1);
+    CHECK((upload.transfer.toSend() == (asked == 0 ? Send::Count : Send::Item)));
+  }
 }
 
 TEST_CASE("on a line that loses, COUNT is sent again for 7.5 s, before ArduPilot would give up what it has heard") {
