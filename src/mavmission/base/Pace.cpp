@@ -18,7 +18,7 @@ void Pace::learn(uint16_t startedMs, uint16_t nowMs, uint8_t tries) { learn(sinc
 
 uint16_t Pace::sameRequestMs() const { return roundTripMs_ > kSameRequestMs ? roundTripMs_ : kSameRequestMs; }
 
-uint16_t Pace::waitMs(uint16_t ruleMs) const {
+uint16_t Pace::waitMs(uint16_t ruleMs, bool isHarmless) const {
   uint16_t answeredMs = roundTripMs_ * kPatience;
   if (isLossy()) {
     answeredMs = roundTripMs_ / kHurry;
@@ -26,6 +26,10 @@ uint16_t Pace::waitMs(uint16_t ruleMs) const {
     const uint8_t leastMs = ruleMs < kQuickMs ? kLeastMs / 2 : kLeastMs;
     ruleMs = kFrameTimes * busyMs_;
     if (ruleMs < leastMs) ruleMs = leastMs;
+    if (isHarmless && roundTripMs_ < leastMs) {
+      ruleMs /= kHaste;
+      answeredMs = roundTripMs_ - roundTripMs_ / 4;
+    }
   }
   return answeredMs > ruleMs ? answeredMs : ruleMs;
 }

@@ -55,7 +55,10 @@ class Pace : public PaceRules {
   // demand, or more where answers are slower than that. On a lossy link it is the time after which an answer
   // should have come, or on a line that answers late a quarter of it: what is lost is then there all the same, since
   // several are on their way. Repeats take a fifth of the line, and with the zeros before them a quarter at the most.
-  MAVMISSION_APART uint16_t waitMs(uint16_t ruleMs) const;
+  // `isHarmless`, of what does no harm when it comes twice: on a lossy link that answers quickly it is three quarters
+  // of a round trip, but no less than a kHaste-th of the time above. At most two copies are under way: so they do not
+  // pile up before a radio that is slower than our port.
+  MAVMISSION_APART uint16_t waitMs(uint16_t ruleMs, bool isHarmless = false) const;
 
  private:
   uint16_t roundTripMs_;  // no less than it takes; 0: nothing was measured yet

@@ -19,6 +19,7 @@ struct PaceRules {
   static constexpr uint8_t kPatience = 4;        // from a message to its repeat, in round trips, at least
   static constexpr uint8_t kHurry = 8;           // repeats in a round trip, at the most, on a lossy link
   static constexpr uint8_t kFrameTimes = 5;      // the same, in the times that the line takes for a frame
+  static constexpr uint8_t kHaste = 4;           // so many times as often, at the most, what does no harm twice
   static constexpr uint8_t kLossyTries = 250;    // of a question there, before it is given up
 };
 
@@ -32,7 +33,6 @@ struct LinkRules {
 
 struct UploadRules {
   static constexpr uint16_t kRepeatMs = 1500;    // from MISSION_COUNT, or from the last item, to its repeat
-  static constexpr uint8_t kHaste = 2;           // so many times as often an item before the last, on a quick link
   static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
@@ -45,6 +45,7 @@ struct UploadRules {
 struct DownloadRules {
   static constexpr uint8_t kListTries = 5;        // MISSION_REQUEST_LIST
   static constexpr uint16_t kListMs = 1500;       // to MISSION_COUNT
+  static constexpr uint8_t kHastyTries = 64;      // of a question on a lossy link: then it is repeated less often
   static constexpr uint8_t kOtherTries = 2;       // of it, before another number of items is believed in a read-back
   static constexpr uint8_t kItemTries = 8;        // MISSION_REQUEST_INT, for each item
   static constexpr uint8_t kUnderWay = 5;         // requests before the first is answered, where each is

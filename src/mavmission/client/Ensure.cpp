@@ -89,7 +89,7 @@ Status Client::Ensuring::sum(Client& client, uint16_t wireItem) {
 void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   client.state_.readsHalf = true;  // as in ReadingPlan::time()
   DownloadTransfer& transfer = client.reading_.transfer;
-  Status status = transfer.onTime(nowMs, client.link_.pace(), true);
+  Status status = transfer.onTime(nowMs, client.link_.pace(), client.plan_.has(kAnswersAnyRequest));
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
   // from before a reset, or one of another ground station, and both end within seconds.
   if (status == Status::NoAnswer && client.state_.lastResult != 255) {

@@ -113,7 +113,8 @@ void Client::ReadingPlan::goOn(Client& client, uint16_t nowMs, bool mayBeAhead) 
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
   state.readsHalf = true;
-  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace(), mayBeAhead);
+  const Status status =
+      client.reading_.transfer.onTime(nowMs, client.link_.pace(), client.plan_.has(kAnswersAnyRequest), mayBeAhead);
   if (status != Status::Transferring) return end(client, status);
   if (state.isLate) return end(client, Status::TookTooLong);
   send(client, nowMs, mayBeAhead && asksAhead(client));

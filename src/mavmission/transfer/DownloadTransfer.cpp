@@ -70,7 +70,7 @@ Status DownloadTransfer::onAck(uint8_t result) const {
   return status;
 }
 
-Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool mayBeAhead) {
+Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool answersAny, bool mayBeAhead) {
   if (asked_ == 0) return Status::Transferring;  // the line is not free yet
   uint8_t most = kItemTries;
   uint16_t waitMs = kItemMs;
@@ -82,7 +82,8 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool mayBeAhea
   }
   const uint16_t ms = since(sentMs_, nowMs);
   // Several are asked for anew when none of the answers is under way any more.
-  if (ms < pace.waitMs(waitMs) || (mayBeAhead && asked_ > 1 && !pace.isBehind(ms))) return Status::Transferring;
+  if (ms < pace.waitMs(waitMs, answersAny && tries_ < kHastyTries) || (mayBeAhead && asked_ > 1 && !pace.isBehind(ms)))
+    return Status::Transferring;
   if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most)) return end;
   asked_ = 0;
   if (mayBeAhead && tries_ == 0) {

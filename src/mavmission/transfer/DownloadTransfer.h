@@ -55,8 +55,9 @@ class DownloadTransfer : public DownloadRules {
   // The autopilot has ended the reading: it begins anew. False if it has ended it too often.
   bool beginAnew(uint16_t nowMs);
   Status onAck(uint8_t result) const;
-  // `mayBeAhead`: several items may have been asked for at once.
-  Status onTime(uint16_t nowMs, const Pace& pace, bool mayBeAhead = true);
+  // `answersAny`: the autopilot answers each request by itself. `mayBeAhead`: several items may have been asked for at
+  // once.
+  Status onTime(uint16_t nowMs, const Pace& pace, bool answersAny = true, bool mayBeAhead = true);
 
   // True while a copy of the last message may still arrive, and would end the reading.
   bool mustWait(uint16_t nowMs) const;

@@ -127,17 +127,13 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   }
   if (state_ == State::Sending && !pace.isLossy()) return Status::Transferring;
   // While an autopilot may still be busy with an earlier transfer of ours, it needs the longer time.
-  uint16_t waitMs = isCounting && has(kFreed) ? kRepeatMs : pace.waitMs(kRepeatMs);
-  if (detail::has(firmware_, kMayBeOld)) {
-    // In a server whose ways are not known each repeat may begin the timeout anew after which it asks again (MAVSDK):
-    // so every few repeats there is room for that.
-    if ((tries_ & 7) == 0 && waitMs < kRoomMs) waitMs = kRoomMs;
-  } else if (state_ == State::Sending) {
-    // An item that ArduPilot or PX4 has already does no harm. It is answered before the next copy leaves: so no copies
-    // pile up before a radio that is slower than our port.
-    const uint16_t quickMs = waitMs / kHaste;
-    if (pace.roundTripMs() < quickMs) waitMs = quickMs;
-  }
+  // (An item that ArduPilot or PX4 has already does no harm.)
+  const bool mayBeOld = detail::has(firmware_, kMayBeOld);
+  uint16_t waitMs =
+      isCounting && has(kFreed) ? kRepeatMs : pace.waitMs(kRepeatMs, state_ == State::Sending && !mayBeOld);
+  // In a server whose ways are not known each repeat may begin the timeout anew after which it asks again (MAVSDK): so
+  // every few repeats there is room for that.
+  if (mayBeOld && (tries_ & 7) == 0 && waitMs < kRoomMs) waitMs = kRoomMs;
   if (since(sentMs_, nowMs) < waitMs) return Status::Transferring;
   if (isCounting) {
     send_ = has(kFreed) ? Send::Cancel : Send::Count;

@@ -125,7 +125,9 @@ TEST_CASE("ArduPilot's items are asked for one by one where update() is called s
 
 TEST_CASE("ArduPilot's items are asked for one by one on a line that has lost something") {
   Reading desk(ClientOnLine::kArduPilot, 8, true);
-  CHECK(desk.asked(20) == Numbers{0});
+  const Numbers asked = desk.asked(50);
+  CHECK(asked.size() > 1);  // it is not answered
+  for (const uint16_t item : asked) CHECK(item == 0);
 }
 
 TEST_CASE("what comes ahead of a lost item is asked for anew behind it, and each is taken once") {

@@ -103,17 +103,32 @@ TEST_CASE("on a line that loses, an item is asked for again after half the time 
   DownloadTransfer transfer = begun();
   pace.noteLoss();
   transfer.sent(0);
-  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs - 1, pace)));
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs - 1, pace, false)));
   CHECK(transfer.toSend() == Send::Nothing);
-  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs, pace)));
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs, pace, false)));
   CHECK(transfer.toSend() == Send::List);
 
   transfer = fetching(2);
   pace.noteLoss();
-  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs / 2 - 1, pace)));
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs / 2 - 1, pace, false)));
   CHECK(transfer.toSend() == Send::Nothing);
-  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs / 2, pace)));
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs / 2, pace, false)));
   CHECK(transfer.toSend() == Send::Request);
+}
+
+TEST_CASE("on a line that loses, an autopilot that answers each request is asked again when the answer is overdue") {
+  DownloadTransfer transfer = fetching(2);
+  pace.learn(20, true);
+  pace.noteLoss();
+  uint16_t now = 0;
+  for (int tries = 1; tries < 100; ++tries) {
+    now = static_cast<uint16_t>(now + (tries < 64 ? 15 : 25));
+    CHECK(goesOn(transfer.onTime(static_cast<uint16_t>(now - 1), pace)));
+    CHECK(transfer.toSend() == Send::Nothing);
+    CHECK(goesOn(transfer.onTime(now, pace)));
+    CHECK(transfer.toSend() == Send::Request);
+    transfer.sent(now);
+  }
 }
 
 TEST_CASE("a question that the line has not taken yet is not counted, and no time runs") {

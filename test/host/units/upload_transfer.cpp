@@ -730,7 +730,7 @@ TEST_CASE("on a line that loses, an unknown server gets room for its own timeout
   }
 }
 
-TEST_CASE("on a line that loses, an item that is not answered is sent again every 25 ms, the last one every 50 ms") {
+TEST_CASE("on a line that loses, an item is sent again when its answer is overdue, the last one every 50 ms") {
   for (const Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
     Upload upload(2, firmware);
     upload.send();
@@ -739,7 +739,7 @@ TEST_CASE("on a line that loses, an item that is not answered is sent again ever
     upload.send();
     upload.pace.noteLoss();
     for (const uint16_t item : {0, 1}) {
-      const uint16_t againMs = item == 0 ? 25 : 50;
+      const uint16_t againMs = item == 0 ? 14 : 50;  // three quarters of 18 ms
       for (int repeat = 0; repeat < 20; ++repeat) {
         CHECK(goesOn(upload.wait(againMs - 1)));
         CHECK((upload.transfer.toSend() == Send::Nothing));
@@ -753,19 +753,16 @@ TEST_CASE("on a line that loses, an item that is not answered is sent again ever
   }
 }
 
-TEST_CASE("where answers take 25 ms, an item is sent again every 50 ms: one copy is under way at a time") {
-  for (const uint16_t roundTripMs : {24, 25}) {
+TEST_CASE("an item is sent again after three quarters of a round trip, but 4 times as often as the last at the most") {
+  const uint16_t againMs[][2] = {{4, 12}, {16, 12}, {17, 13}, {48, 36}, {49, 37}, {50, 50}, {90, 50}};
+  for (const auto& row : againMs) {
     Upload upload(3, Firmware::ArduPilot);
     upload.send();
-    upload.wait(roundTripMs);
+    upload.wait(row[0]);
     upload.request(0);
     upload.send();
     upload.pace.noteLoss();
-    CHECK(goesOn(upload.wait(24)));
-    CHECK((upload.transfer.toSend() == Send::Nothing));
-    upload.wait(1);
-    CHECK((upload.send() == (roundTripMs == 24 ? Send::Item : Send::Nothing)));
-    CHECK(goesOn(upload.wait(24)));
+    CHECK(goesOn(upload.wait(row[1] - 1)));
     CHECK((upload.transfer.toSend() == Send::Nothing));
     upload.wait(1);
     CHECK((upload.transfer.toSend() == Send::Item));
@@ -870,13 +867,13 @@ TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated eve
   CHECK((upload.transfer.toSend() == Send::Cancel));
 }
 
-TEST_CASE("an item's repeats take two fifths of the line at the most; the last one's, and a COUNT's, a fifth") {
+TEST_CASE("an item's repeats take four fifths of the line at the most; the last one's, and a COUNT's, a fifth") {
   for (const uint16_t asked : {0, 1, 3}) {
     Upload upload(3, Firmware::ArduPilot);
     upload.served(asked);
     upload.pace.noteLoss();
     upload.pace.noteBusy(60);  // 9600 baud
-    const uint16_t againMs = asked == 1 ? 150 : 300;
+    const uint16_t againMs = asked == 1 ? 75 : 300;
     CHECK(goesOn(upload.wait(againMs - 1)));
     CHECK((upload.transfer.toSend() == Send::Nothing));
     upload.wait(1);
