@@ -2,7 +2,8 @@
 // the aircraft flies forward, or turns; without a button it holds its position. The velocity is renewed ten times a
 // second: if the sketch no longer did that, the aircraft would be stopped. REMOVE THE PROPELLERS WHILE YOU TRY IT.
 //
-// The sketch does not take control from a pilot, and after a reset in flight it sends nothing.
+// The sketch does not take control from a pilot, and after a reset in flight it sends nothing. When the cable is cut in
+// flight, the flight has ended, and the buttons move nothing any more: have a transmitter at hand to land it with.
 #include <MavMission.h>
 #include <MavMissionButton.h>   // HoldButton
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
