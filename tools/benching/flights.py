@@ -111,6 +111,8 @@ class Flight:
             if message is None or entry.time <= since:
                 continue
             kind = message.get_type()
+            if kind == "SET_POSITION_TARGET_LOCAL_NED" and (message.vx, message.vy, message.vz) == (0, 0, 0):
+                continue  # a stop, which docs/steering.md promises at the end
             if kind in ORDERS or (kind.startswith("COMMAND_") and getattr(message, "command", 0) not in (0, *QUESTIONS)
                                   and kind != "COMMAND_ACK"):  # fmt: skip
                 found.append(f"{kind} {getattr(message, 'command', '')} {entry.time - since:.2f} s behind it")

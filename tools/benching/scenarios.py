@@ -290,7 +290,8 @@ def judge(result: Result, scenario: Scenario, holder: Any) -> None:
             result.wrong.append(f"{result.status}, and the plan is not aboard")
         else:
             result.notes.append("a second station's plan has come behind it")
-    elif aboard_names()[result.counters["aboard"]] == "OurPlan" and not (is_aboard or result.status in SAYS_ABOARD):
+    says_ours = result.status not in ("-", *SAYS_ABOARD) and aboard_names()[result.counters["aboard"]] == "OurPlan"
+    if says_ours and not is_aboard:
         result.wrong.append(f"{result.status}, aboard() says OurPlan, and it is not")
     if result.status == "Differs" and is_aboard:
         result.wrong.append("Differs, and the plan is aboard")

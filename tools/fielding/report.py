@@ -9,13 +9,15 @@ from .trials import Outcome
 KINDS = ("uploads", "random items", "examples", "flights")
 
 
-def report(version: str, clock: str, day: str, outcomes: Sequence[Outcome]) -> str:
+def report(day: str, outcomes: Sequence[Outcome]) -> str:
     """Counts by kind, every contradiction with its seed and frames, and the line for docs/autopilots.md."""
+    versions = list(dict.fromkeys(one.version for one in outcomes if one.version)) or ["nothing was flown"]
+    clock = "; ".join(dict.fromkeys(one.clock for one in outcomes if one.clock))
     trials = [one for one in outcomes if not one.broke]
     against = [one for one in trials if one.contradictions]
     broken = [one for one in outcomes if one.broke]
     lines = [
-        f"# tools/field: {version}",
+        f"# tools/field: {', '.join(versions)}",
         "",
         f"{len(trials)} trials, {len(against)} with a contradiction; {len(broken)} came to nothing. Clock: {clock}.",
         "",
@@ -44,12 +46,13 @@ def report(version: str, clock: str, day: str, outcomes: Sequence[Outcome]) -> s
     for one in trials:
         notes = "; ".join(one.notes) if one.kind != "random items" else f"{len(one.notes)} items"
         lines.append(f"| {one.name} | {one.seed} | {one.status} | {one.simulated_s:.0f} | {notes.replace('|', '/')} |")
-    lines += ["", "For the table of docs/autopilots.md:", "", line_of_autopilots(version, day, outcomes), ""]
-    return "\n".join(lines)
+    lines += ["", "For the table of docs/autopilots.md:", ""]
+    lines += [line_of_autopilots(one, day, outcomes) for one in versions]
+    return "\n".join([*lines, ""])
 
 
 def line_of_autopilots(version: str, day: str, outcomes: Sequence[Outcome]) -> str:
-    trials = [one for one in outcomes if not one.broke]
+    trials = [one for one in outcomes if one.version == version and not one.broke]
     counts = ", ".join(f"{number} {kind}" for kind in KINDS if (number := sum(one.kind == kind for one in trials)))
     against = sum(bool(one.contradictions) for one in trials)
     return f"| {version} | {day} | {counts} | {against or 'none'} |"

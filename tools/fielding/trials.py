@@ -72,6 +72,8 @@ class Outcome:
     simulated_s: float = 0.0
     took_s: float = 0.0
     frames: str = ""  # the file
+    version: str = ""  # of the simulator
+    clock: str = ""  # how its time was held
     broke: str = ""  # why it is no trial: what stood still, or did not come up
 
 
@@ -139,7 +141,6 @@ class Runner:
         self, start: Callable[[Path], Simulator], kept: Kept, clock: Callable[[], float] = time.monotonic
     ) -> None:
         self._start, self.kept, self._clock = start, kept, clock
-        self.version = self.held = ""
 
     def run(self, trials: list[Trial], seeds: list[int], minutes: float | None) -> Iterator[tuple[Outcome, int, int]]:
         """Each outcome, how many trials are done, and of how many; those that are kept already are left out."""
@@ -159,7 +160,7 @@ class Runner:
             world = World(self._start(folder), zlib.crc32(f"{trial.name} {seed}".encode()))
             name = world.simulator.name
             world.begin(trial.to_fly)
-            self.version, self.held = f"{name} {world.truth.version()}", world.simulator.clock
+            outcome.version, outcome.clock = f"{name} {world.truth.version()}", world.simulator.clock
             result = Result(trial.name, name)
             rows = self._play(world, trial, result, random.Random(f"{trial.name} {seed}"))
             outcome.status, outcome.contradictions, outcome.notes = result.status, result.wrong, result.notes
