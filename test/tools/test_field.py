@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import re
 import subprocess
+import sys
 
 import pytest
 
@@ -183,6 +184,43 @@ def test_copter_stands_climbs_and_tilts_as_its_motors_say():
         copter.step((1300, 1500, 1500, 1300), 0.00125)  # the left ones turn faster: it rolls to the right
     assert copter.turning[0] > 0.1 and copter.position[1] >= 0.0
     assert copter.sensors().startswith('"timestamp":1.225')
+
+
+def binary(folder, text: str):
+    file = folder / "arducopter"
+    file.write_text(text)
+    file.chmod(0o755)
+    return file
+
+
+def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path):
+    stub = binary(tmp_path, f"#!{sys.executable}\nimport sys\nsys.path[:0] = {sys.path!r}\nimport stub_arducopter\n")
+    words = [ROOT / "tools" / "field", "--ardupilot", stub, "--only", "the count is lost", "--out", tmp_path / "out"]
+    ran = subprocess.run(words, capture_output=True, text=True)
+    assert ran.returncode == 0, ran
+    assert "] 1 of 1, 0 left: the count is lost, seed 1: as it must be (" in ran.stdout
+    text = (tmp_path / "out" / "report.md").read_text()
+    assert "\n1 trials, 0 with a contradiction; 0 came to nothing. Clock: in step: our physics hands it" in text
+    assert re.search(r"\n\| arducopter [\d.]+ \(.*\) \| \d{4}-\d\d-\d\d \| 1 uploads \| none \|\n$", text)
+    again = subprocess.run(words, capture_output=True, text=True)
+    assert again.stdout == f"the report: {tmp_path / 'out' / 'report.md'}\n"
+    assert (tmp_path / "out" / "report.md").read_text() == text
+
+
+def test_binary_that_ends_at_once_is_told(tmp_path):
+    ends = binary(tmp_path, "#!/bin/sh\necho I do not fly\nexit 3\n")
+    words = [
+        ROOT / "tools" / "field",
+        "--ardupilot",
+        tmp_path,
+        "--only",
+        "the count is lost",
+        "--out",
+        tmp_path / "out",
+    ]
+    ran = subprocess.run(words, capture_output=True, text=True)
+    assert ends.exists() and ran.returncode == 1
+    assert "the count is lost, seed 1: Gone: arducopter has ended: I do not fly" in ran.stdout
 
 
 def test_tool_lists_its_trials():

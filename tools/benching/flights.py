@@ -225,6 +225,8 @@ class Flight:
         world.until(lambda: not truth.armed, PERSON_S)
         world.run(PERSON_S / 2)
         self.judge_kept(at, mine)
+        if any(came < time <= at and mode not in mine for time, mode, _ in truth.modes):
+            self.result.notes.append("the person's mode was replaced before the sketch could hear of it")
         if not self.said("ended", came - 0.2):
             self.wrong(f"the console never said 'ended' behind it; its last state is {self.last_state!r}")
         self.bring_down()
