@@ -1,4 +1,4 @@
-"""A program that keeps to ArduPilot's words, ports and physics (SIM_JSON), as tools/field uses them: a fake is behind."""
+"""Keeps to ArduPilot's words, ports and physics (SIM_JSON) as tools/field uses them, with a fake behind."""
 
 from __future__ import annotations
 
