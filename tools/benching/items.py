@@ -34,13 +34,12 @@ class Row(NamedTuple):
 
 def drawn(chance: random.Random) -> Item:
     def number() -> float:
-        return f32(
-            chance.choice((0.0, 1.0, -1.0, chance.randint(0, 300), chance.uniform(-400, 400), chance.uniform(0, 5)))
-        )
+        return f32(chance.choice((0.0, 0.0, 0.0, 0.0, 1.0, 1.0, -1.0, chance.randint(0, 255), chance.randint(0, 9),
+                                  chance.uniform(0, 5), chance.uniform(-400, 400))))  # fmt: skip
 
     place = chance.choice((HERE, HERE, (0, 0), (383191304, 133871742)))
     x, y = ((one + chance.randint(-50_000, 50_000)) if one else 0 for one in place)
-    yaw = chance.choice((number(), math.nan))
+    yaw = math.nan if chance.random() < 0.1 else number()
     return Item(chance.choice(FRAMES), chance.choice(COMMANDS), 0, int(chance.random() < 0.9),
                 number(), number(), number(), yaw, x, y, f32(chance.choice((0.0, 20.0, number(), 584.0))))  # fmt: skip
 

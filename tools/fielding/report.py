@@ -53,6 +53,6 @@ def report(day: str, outcomes: Sequence[Outcome]) -> str:
 
 def line_of_autopilots(version: str, day: str, outcomes: Sequence[Outcome]) -> str:
     trials = [one for one in outcomes if one.version == version and not one.broke]
-    counts = ", ".join(f"{number} {kind}" for kind in KINDS if (number := sum(one.kind == kind for one in trials)))
+    counts = ", ".join(f"{kind} {number}" for kind in KINDS if (number := sum(one.kind == kind for one in trials)))
     against = sum(bool(one.contradictions) for one in trials)
     return f"| {version} | {day} | {counts} | {against or 'none'} |"

@@ -26,7 +26,7 @@ from trial_names import FLIGHTS, PRINTED, RANDOM_ITEMS, Flown
 
 from .world import Simulator, World
 
-ROUNDS = 20  # of random items in a trial
+ROUNDS = 40  # of random items in a trial
 FOUND_S = 4.0  # within which the board has heard the simulator
 PERCENT = 3.0
 RESULTS = "trials.jsonl"
