@@ -236,8 +236,11 @@ class Flight:
         if orders := self.orders(at + SHOWS_S):
             self.wrong(f"it sent {len(orders)} orders behind it, the first {orders[0]}")
         names = {number: name for name, number in MODES.items()}
-        if others := [names.get(mode, str(mode)) for _, mode, _ in self.changes(at) if mode not in mine]:
-            self.wrong(f"other modes came behind it: {others}")
+        others = [(time, names.get(mode, str(mode))) for time, mode, _ in self.changes(at) if mode not in mine]
+        if late := [name for time, name in others if time > at + SHOWS_S]:
+            self.wrong(f"other modes came behind it: {late}")
+        elif others:
+            self.result.notes.append(f"{others[0][1]} came {others[0][0] - at:.2f} s behind it, by an order on its way")
         if self.armed_again(at):
             self.wrong("it was armed again behind it")
 
