@@ -1,5 +1,5 @@
 // The board's side of tools/bench, which makes a sketch of it: does what lines on CONSOLE tell it, over TELEM, and says
-// what came of it. A line is a word and up to two numbers; the answer to each ends with "ok". docs/bench.md says how it
+// what came of it. A line is a word and what it needs; the answer to each ends with "ok". docs/bench.md says how it
 // is used.
 #define CONSOLE_RX 10  // an Uno and a Nano need it to read from CONSOLE
 #include <Arduino.h>
@@ -13,6 +13,8 @@ MissionClient autopilot(TELEM);
 #define TEXT_OF_IT(what) #what
 
 static uint32_t longestLoopUs;
+static uint16_t stallMs;    // for so long loop() is to stand still, once
+static MissionItem own[3];  // what the console has given
 
 // As item_of() in tools/benching/scenarios.py.
 static bool itemOfPlan(void*, uint16_t index, MissionItem& item) {
@@ -57,6 +59,19 @@ static void tellState() {
   longestLoopUs = 0;
 }
 
+static uint8_t fromHex(char digit) { return digit <= '9' ? digit - '0' : digit - 'a' + 10; }
+
+// "item 2 0000803f...": an item's bytes in the order of its struct, low ones first.
+static void takeItem(const char* words) {
+  uint8_t bytes[33];
+  const uint8_t number = static_cast<uint8_t>(*words - '0') % 3;
+  if (strlen(words) < 2 + 2 * sizeof(bytes)) return;
+  for (uint8_t i = 0; i < sizeof(bytes); ++i) {
+    bytes[i] = static_cast<uint8_t>(fromHex(words[2 + 2 * i]) << 4 | fromHex(words[3 + 2 * i]));
+  }
+  memcpy(&own[number], bytes, sizeof(bytes));
+}
+
 static bool isWord(const char* line, const char* word) { return strncmp(line, word, strlen(word)) == 0; }
 
 static void obey(const char* line) {
@@ -68,6 +83,16 @@ static void obey(const char* line) {
     autopilot.upload(fromFunction(itemOfPlan, atoi(line + 7)));
   } else if (isWord(line, "verify ")) {
     autopilot.verify(fromFunction(itemOfPlan, atoi(line + 7)));
+  } else if (isWord(line, "ensure ")) {
+    autopilot.ensure(fromFunction(itemOfPlan, atoi(line + 7)));
+  } else if (isWord(line, "item ")) {
+    takeItem(line + 5);
+  } else if (isWord(line, "own")) {
+    autopilot.upload(inRam(own));
+  } else if (isWord(line, "check")) {
+    autopilot.verify(inRam(own));
+  } else if (isWord(line, "stall ")) {
+    stallMs = static_cast<uint16_t>(atoi(line + 6));
   } else if (isWord(line, "clear")) {
     autopilot.clear();
   } else if (isWord(line, "cancel")) {
@@ -80,7 +105,7 @@ static void obey(const char* line) {
 }
 
 static void listen() {
-  static char line[20];
+  static char line[80];
   static uint8_t length;
   while (CONSOLE.available() > 0) {
     const char c = static_cast<char>(CONSOLE.read());
@@ -107,6 +132,10 @@ void loop() {
   if (nowUs - lastUs > longestLoopUs) longestLoopUs = nowUs - lastUs;
   lastUs = nowUs;
   listen();
+  if (stallMs != 0) {
+    delay(stallMs);
+    stallMs = 0;
+  }
   const Status status = autopilot.update();
   if (!isEnd(status)) return;
   CONSOLE.print(F("ended "));

@@ -29,7 +29,58 @@ class End(Protocol):
     def write(self, data: bytes) -> None: ...
 
 
-class Player:
+class Talk:
+    """A talk with the board's sketch over its console, while time goes on."""
+
+    console = "console"  # its name
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []  # what the board has said
+        self._text = b""
+
+    @property
+    def now(self) -> float:
+        """[s]"""
+        raise NotImplementedError
+
+    def step(self) -> None:
+        """A moment passes."""
+        raise NotImplementedError
+
+    def say(self, data: bytes) -> None:
+        """On the console."""
+        raise NotImplementedError
+
+    def hear(self, data: bytes) -> None:
+        """What the board has said."""
+        self._text += data
+        *lines, self._text = self._text.split(b"\n")
+        self.lines += [line.decode(errors="replace").strip() for line in lines]
+
+    def run(self, seconds: float) -> None:
+        until = self.now + seconds
+        while self.now < until:
+            self.step()
+
+    def until(self, found: Callable[[], bool], limit_s: float) -> bool:
+        """Go on until it is so; False if it is not within the time."""
+        until = self.now + limit_s
+        while not found():
+            if self.now >= until:
+                return False
+            self.step()
+        return True
+
+    def tell(self, words: str) -> list[str]:
+        """Say a line to the board; what it says until its "ok"."""
+        before = len(self.lines)
+        self.say(words.encode() + b"\n")
+        if not self.until(lambda: "ok" in self.lines[before:] or "what?" in self.lines[before:], ANSWER_S):
+            raise NoBoard(f"{self.console}: no answer to {words!r}")
+        return [line for line in self.lines[before:] if line != "ok"]
+
+
+class Player(Talk):
     """Carries bytes between the board's TELEM and an autopilot, and says lines on its console.
 
     `clock` gives seconds and `sleep` waits so many; a test may give its own.
@@ -43,16 +94,15 @@ class Player:
         sleep: Callable[[float], None] = time.sleep,
         baud: int = 57600,
     ) -> None:
-        self._console = console
+        super().__init__()
+        self._console, self.console = console, console.name
         self._line = line
         self._clock = clock
         self._sleep = sleep
         self._baud = baud
         self._began = clock()
-        self._text = b""
         self._unsent = b""
         self._line_free_at = 0.0
-        self.lines: list[str] = []  # what the board has said
         self.wire = Wire()
         self.autopilot: FakeAutopilot | None = None
         self._autopilot_began = 0.0
@@ -70,9 +120,7 @@ class Player:
 
     def step(self) -> None:
         """What has come on both ports goes on; then a moment passes."""
-        self._text += self._console.read(READ_BYTES)
-        *lines, self._text = self._text.split(b"\n")
-        self.lines += [line.decode(errors="replace").strip() for line in lines]
+        self.hear(self._console.read(READ_BYTES))
         heard = self._line.read(READ_BYTES)
         if self.autopilot is not None:
             self._exchange(self.autopilot, heard)
@@ -97,27 +145,8 @@ class Player:
             self._line.write(out)
             self._line_free_at = max(self._line_free_at, self.now) + len(out) * BITS_PER_BYTE / self._baud
 
-    def run(self, seconds: float) -> None:
-        until = self.now + seconds
-        while self.now < until:
-            self.step()
-
-    def until(self, found: Callable[[], bool], limit_s: float) -> bool:
-        """Go on until it is so; False if it is not within the time."""
-        until = self.now + limit_s
-        while not found():
-            if self.now >= until:
-                return False
-            self.step()
-        return True
-
-    def tell(self, words: str) -> list[str]:
-        """Say a line to the board; what it says until its "ok"."""
-        before = len(self.lines)
-        self._console.write(words.encode() + b"\n")
-        if not self.until(lambda: "ok" in self.lines[before:] or "what?" in self.lines[before:], ANSWER_S):
-            raise NoBoard(f"{self._console.name}: no answer to {words!r}")
-        return [line for line in self.lines[before:] if line != "ok"]
+    def say(self, data: bytes) -> None:
+        self._console.write(data)
 
     def find(self) -> str:
         """What the board says of itself. It restarts when its console is opened, and is asked until it answers."""
@@ -129,6 +158,6 @@ class Player:
             except NoBoard:
                 continue
         raise NoBoard(
-            f"{self._console.name}: the board does not answer: is this its console, at 115200 baud, and has it the "
+            f"{self.console}: the board does not answer: is this its console, at 115200 baud, and has it the "
             "sketch of tools/bench --sketch?"
         )

@@ -1,0 +1,231 @@
+"""tools/field: its trials with a fake ArduPilot in the place of the simulator, and defects that it must find."""
+
+from __future__ import annotations
+
+import csv
+import re
+import subprocess
+import sys
+
+import pytest
+
+import trial_names
+from benching.scenarios import SCENARIOS
+from building import ROOT
+from fielding import Kept, Outcome, Runner, report, table
+from fielding.trials import RESULTS, fakes_differ
+from fielding.vehicles import GRAVITY, Copter
+from simulation import recordings
+from simulation.fake_autopilot import Item, mavlink
+from stand_in import StandIn, started
+
+TRIALS = {one.name: one for one in table()}
+
+
+def played(folder, name: str, seed: int = 1, **defects) -> Outcome:
+    ((outcome, _, _),) = Runner(started(**defects), Kept(folder)).run([TRIALS[name]], [seed], None)
+    assert outcome.broke == ""
+    return outcome
+
+
+def test_table_is_the_one_that_is_listed():
+    assert [one.name for one in table()] == trial_names.simulator_names()
+    assert [one.name for one in SCENARIOS] == trial_names.board_names()
+    assert len(TRIALS) == len(table())
+
+
+GOOD = ("the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
+        "one operation right behind another", "cancelled, and another right behind it, each way takes 150 ms",
+        "loop() stands still for 3 s in an upload", "the cable is out for 12 s, and an upload follows",
+        "the board is reset, and uploads again", "a second station uploads meanwhile",
+        "a second station uploads behind it", "60 items, 3 % of bytes, 0 ms", trial_names.RANDOM_ITEMS,
+        "example UploadMission", "example FenceAndRally", "example ReadTelemetry", "StartMission, undisturbed",
+        "StartButton, a pilot lands", "StartMission, a failsafe", "GoToPlaces, a pilot disarms",
+        "StartMission, the board is reset", "StartMission, the cable is out",
+        "GoToPlaces, a pilot comes while loop() stands still")  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", GOOD, ids=lambda name: name.replace(" ", "-"))
+def test_library_beside_a_good_autopilot_is_not_contradicted(tmp_path, name):
+    outcome = played(tmp_path, name)
+    assert (outcome.contradictions, outcome.fakes_differ) == ([], [])
+    assert (tmp_path / outcome.frames).stat().st_size > 300
+
+
+def shifted(message):
+    """Item 3 is kept elsewhere than it was sent, and acknowledged as if it were not."""
+    if message.get_type() == "MISSION_ITEM_INT" and message.seq == 3:
+        message.x += 1000
+        return message
+    return None
+
+
+def cut_short(stand_in: StandIn) -> None:
+    """A plan that has been accepted loses its last items."""
+    missions = stand_in.autopilot.missions[0]
+    if len(missions.held) == 11 and not missions.receiving:
+        del missions.held[8:]
+
+
+def arms_again(stand_in: StandIn) -> None:
+    """Armed by nobody, five seconds after a person has landed and disarmed it."""
+    autopilot = stand_in.autopilot
+    if autopilot.mode == "LAND" and not autopilot.armed:
+        autopilot.at("arms again", stand_in.now + 5.0, lambda now: setattr(autopilot, "armed", True))
+        autopilot.mode = "LOITER"
+
+
+def flies_on(stand_in: StandIn) -> None:
+    """The pilot's mode is undone after two seconds."""
+    autopilot = stand_in.autopilot
+    if autopilot.mode == "LOITER" and "undone" not in autopilot._timers:
+        autopilot.at("undone", stand_in.now + 2.0, lambda now: autopilot._set_mode(3, now))
+
+
+def keeps_otherwise(message):
+    """The height of each item is kept as half of it: no read-back rule knows that."""
+    if message.get_type() == "MISSION_ITEM_INT" and message.z > 1:
+        message.z /= 2
+        return message
+    return None
+
+
+FOUND = [
+    ("nothing is lost", {"hears": shifted}, "Accepted, and the plan is not aboard"),
+    ("nothing is lost", {"defect": cut_short}, "Accepted, and the plan is not aboard"),
+    ("StartMission, a pilot lands", {"defect": arms_again}, "it was armed again behind it"),
+    ("StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['AUTO'"),
+    (trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "right behind Accepted: Item("),
+]
+
+
+@pytest.mark.parametrize(("name", "defect", "words"), FOUND, ids=lambda one: one if isinstance(one, str) else "")
+def test_planted_defect_is_named_in_the_report(tmp_path, name, defect, words):
+    outcome = played(tmp_path, name, **defect)
+    assert any(words in one for one in outcome.contradictions), outcome
+    assert re.fullmatch(r"arducopter \d+\.\d+\.\d+ \(.*\)", outcome.version)
+    text = report("2026-01-02", [outcome])
+    line = next(one for one in text.splitlines() if one.startswith("- ") and words in one)
+    assert f"{name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
+    assert text.rstrip().splitlines()[-1] == f"| {outcome.version} | 2026-01-02 | {outcome.kind} 1 | 1 |"
+
+
+def test_run_goes_on_where_it_stopped(tmp_path):
+    trials = [TRIALS[name] for name in ("nothing is lost", "the count is lost")]
+    first = list(Runner(started(), Kept(tmp_path)).run(trials[:1], [1], None))
+    assert [(one.name, done, total) for one, done, total in first] == [("nothing is lost", 1, 1)]
+    runner = Runner(started(), Kept(tmp_path))
+    rest = [(one.name, one.seed, done, total) for one, done, total in runner.run(trials, [1, 2], None)]
+    assert rest == [("the count is lost", 1, 2, 4), ("nothing is lost", 2, 3, 4), ("the count is lost", 2, 4, 4)]
+    assert len(Kept(tmp_path).outcomes) == len((tmp_path / RESULTS).read_text().splitlines()) == 4
+
+
+def test_no_trial_is_begun_after_its_minutes(tmp_path):
+    clock = iter(range(0, 10_000, 40))  # [s]: each look at it takes so long
+    runner = Runner(started(), Kept(tmp_path), lambda: next(clock))
+    assert len(list(runner.run([TRIALS["nothing is lost"]], [1, 2, 3, 4, 5], 2.0))) == 1
+
+
+def test_simulator_that_breaks_is_told_and_tried_again(tmp_path):
+    def breaks(folder):
+        raise OSError("no such simulator")
+
+    trial = TRIALS["nothing is lost"]
+    ((outcome, _, _),) = Runner(breaks, Kept(tmp_path)).run([trial], [1], None)
+    assert outcome.broke == "OSError: no such simulator"
+    text = report("2026-01-02", [outcome])
+    assert "0 trials, 0 with a contradiction; 1 came to nothing" in text
+    assert "- nothing is lost, seed 1: OSError: no such simulator" in text
+    assert played(tmp_path, trial.name).status == "Accepted"
+
+
+def test_frames_are_kept_as_recordings_are(tmp_path, monkeypatch):
+    clean, lossy = (played(tmp_path, name) for name in ("nothing is lost", "5 items, 3 % of bytes, 0 ms"))
+    monkeypatch.setattr(recordings, "FOLDER", tmp_path)
+    heard = recordings.heard(clean.frames.removesuffix(".txt"))
+    sent = [one.message.seq for one in heard if one.message.get_type() == "MISSION_ITEM_INT"]
+    assert sent == list(range(11)) and {one.direction for one in heard} == {">", "<"}
+    name = lossy.frames.removesuffix(".txt")
+    raw = {mark: b"".join(data for _, data in recordings.raw(name, mark)) for mark in (">", ">>", "<<", "<")}
+    assert len(raw[">"]) > len(raw[">>"]) > 0 and len(raw["<<"]) > len(raw["<"]) > 0
+
+
+def test_random_items_are_kept_as_the_read_back_files_are(tmp_path):
+    played(tmp_path, trial_names.RANDOM_ITEMS)
+    with open(tmp_path / "readback_random_arducopter.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    with open(recordings.FOLDER / "readback_random_arducopter.csv", newline="") as file:
+        assert list(rows[0]) == next(csv.reader(file))
+    assert rows and all(row["result"] == "ACCEPTED" for row in rows if row["read_command"])
+    assert all(int(row["sent_x"]) == int(float(row["sent_x"])) for row in rows)
+
+
+def test_what_the_fake_keeps_otherwise_is_told():
+    waypoint = Item(3, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, -353632621, 1491652374, 20.0)
+    from benching.items import Row
+
+    assert list(fakes_differ([Row(waypoint, "Accepted", waypoint)])) == []
+    assert "and by the fake as" in next(fakes_differ([Row(waypoint, "Accepted", waypoint._replace(z=21.0))]))
+    assert "Unsupported, and the fake says MAV_MISSION_ACCEPTED" in next(
+        fakes_differ([Row(waypoint, "Unsupported", None)])
+    )
+
+
+def test_copter_stands_climbs_and_tilts_as_its_motors_say():
+    copter = Copter()
+    for _ in range(100):
+        copter.step((1000,) * 4, 0.00125)
+    assert copter.position == [0.0] * 3 and copter.force == [0.0, 0.0, -GRAVITY]
+    for _ in range(800):
+        copter.step((1400,) * 4, 0.00125)
+    assert copter.position[2] < -0.3 and abs(copter.position[0]) < 1e-9
+    for _ in range(80):
+        copter.step((1300, 1500, 1500, 1300), 0.00125)  # the left ones turn faster: it rolls to the right
+    assert copter.turning[0] > 0.1 and copter.position[1] >= 0.0
+    assert copter.sensors().startswith('"timestamp":1.225')
+
+
+def binary(folder, text: str):
+    file = folder / "arducopter"
+    file.write_text(text)
+    file.chmod(0o755)
+    return file
+
+
+def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path):
+    stub = binary(tmp_path, f"#!{sys.executable}\nimport sys\nsys.path[:0] = {sys.path!r}\nimport stub_arducopter\n")
+    words = [ROOT / "tools" / "field", "--ardupilot", stub, "--only", "the count is lost", "--out", tmp_path / "out"]
+    ran = subprocess.run(words, capture_output=True, text=True)
+    assert ran.returncode == 0, ran
+    assert "] 1 of 1, 0 left: the count is lost, seed 1: as it must be (" in ran.stdout
+    text = (tmp_path / "out" / "report.md").read_text()
+    assert "\n1 trials, 0 with a contradiction; 0 came to nothing. Clock: in step: our physics hands it" in text
+    assert re.search(r"\n\| arducopter [\d.]+ \(.*\) \| \d{4}-\d\d-\d\d \| uploads 1 \| none \|\n$", text)
+    again = subprocess.run(words, capture_output=True, text=True)
+    assert again.stdout == f"the report: {tmp_path / 'out' / 'report.md'}\n"
+    assert (tmp_path / "out" / "report.md").read_text() == text
+
+
+def test_binary_that_ends_at_once_is_told(tmp_path):
+    ends = binary(tmp_path, "#!/bin/sh\necho I do not fly\nexit 3\n")
+    words = [
+        ROOT / "tools" / "field",
+        "--ardupilot",
+        tmp_path,
+        "--only",
+        "the count is lost",
+        "--out",
+        tmp_path / "out",
+    ]
+    ran = subprocess.run(words, capture_output=True, text=True)
+    assert ends.exists() and ran.returncode == 1
+    assert "the count is lost, seed 1: Gone: arducopter has ended: I do not fly" in ran.stdout
+
+
+def test_tool_lists_its_trials():
+    def run(*words: str) -> list[str]:
+        return subprocess.run([ROOT / "tools" / "field", *words], capture_output=True, text=True).stdout.splitlines()
+
+    assert run("--list") == trial_names.simulator_names()
+    assert run("--list", "--only", "reset") == [one for one in trial_names.simulator_names() if "reset" in one]

@@ -1,0 +1,337 @@
+"""An example on the Mega, flown to its end on a simulator, and a person, a failsafe or a fault that comes in between.
+
+What is a contradiction: an aircraft that is armed, moved or set to another mode by the sketch behind a person or a
+failsafe, or behind a reset; a console that says what is not so; a flight that does not end as the example says.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from building import BUILD, build_sketch
+from examples import example_folder
+from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.vehicles import VEHICLES
+from trial_names import PRINTED, Flown
+
+from .scenarios import Result, placed
+
+MODES = VEHICLES["copter"].modes
+PLANNED = ("StartMission", "StartButton", "WorkAtWaypoints", "NextWaypoint")
+LANDINGS = {"NextWaypoint": 2}
+# The buttons of the examples, as (data register, bit) of the pin on a Mega, from the one that begins the flight.
+BUTTONS = {"StartButton": ((0x2C, 4),), "FlyByButtons": ((0x2C, 4), (0x2C, 5), (0x32, 5), (0x2C, 3))}
+PRESSED_S = {"StartButton": 2.5, "FlyByButtons": 1.4}
+ORDERS = {"SET_MODE", "MISSION_COUNT", "MISSION_SET_CURRENT", "MISSION_CLEAR_ALL", "MISSION_START",
+          "SET_POSITION_TARGET_GLOBAL_INT", "SET_POSITION_TARGET_LOCAL_NED"}  # fmt: skip
+QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL}
+STATES = ("idle", "preparing", "not ready", "flying", "at the stop", "landed", "ended")
+ARMS_S, ENDS_S, PRINTS_S, PERSON_S, SILENT_S = 120.0, 400.0, 90.0, 45.0, 30.0
+SHOWS_S = 0.3  # what leaves within this time of a person's order cannot have known of it
+HEARTBEAT_S = 1.2
+FAULT_S = 12.0  # within which a sketch has noticed what befell it
+RETURNS = "RTL"
+STALL = "fieldStallMs"  # of the sketches that are flown
+
+
+@cache
+def firmware(example: str) -> Path:
+    """The example as it is, but for a loop() that can be made to stand still."""
+    folder = BUILD / "field" / "sketches" / example
+    folder.mkdir(parents=True, exist_ok=True)
+    for source in example_folder(example).iterdir():
+        text = source.read_text()
+        if source.suffix == ".ino":
+            stands = f"if ({STALL} != 0) {{\n    delay({STALL});\n    {STALL} = 0;\n  }}"
+            text = f'extern "C" {{\nvolatile uint16_t {STALL} __attribute__((used));\n}}\n' + text.replace(
+                "void loop() {", f"void loop() {{\n  {stands}")  # fmt: skip
+        target = folder / source.name
+        if not target.exists() or target.read_text() != text:
+            target.write_text(text)
+    return build_sketch(folder).elf
+
+
+class Flight:
+    def __init__(self, world: Any, flown: Flown, result: Result, chance: random.Random) -> None:
+        self.world, self.truth, self.flown, self.result, self.chance = world, world.truth, flown, result, chance
+        self.pressed: set[int] = set()
+        self.top = 0.0
+        world.watches.append(self._watch)
+        self.began = world.now
+
+    def _watch(self) -> None:
+        self.top = max(self.top, self.truth.height)
+        mega = self.world.mega
+        for number, (register, bit) in enumerate(BUTTONS.get(self.flown.example, ()) if mega else ()):
+            level = mega.peek_int(register, 1)
+            wanted = level & ~(1 << bit) if number in self.pressed else level | 1 << bit
+            if wanted != level:
+                mega.poke_int(register, wanted, 1)
+
+    def wrong(self, words: str) -> None:
+        self.result.wrong.append(words)
+
+    def press(self, number: int, seconds: float) -> None:
+        self.pressed.add(number)
+        self.world.run(seconds)
+        self.pressed.discard(number)
+
+    def said(self, word: str, since: float = -1.0) -> list[tuple[float, str]]:
+        return [(time, line) for time, line in self.world.said if line.startswith(word) and time >= since]
+
+    @property
+    def last_state(self) -> str:
+        return next((line for _, line in reversed(self.world.said) if line.startswith(STATES)), "")
+
+    def changes(self, since: float) -> list[tuple[float, int, bool]]:
+        return [one for one in self.truth.modes if one[0] > since]
+
+    def landings(self) -> int:
+        modes = [(self.began, 0, False), *self.changes(self.began)]
+        return sum(was and not now for (_, _, was), (_, _, now) in zip(modes, modes[1:], strict=False))
+
+    def armed_again(self, since: float) -> bool:
+        """Whether it is armed after it was not, behind this time."""
+        was = [one[2] for one in self.truth.modes if one[0] <= since][-1:]
+        for _, _, now in self.changes(since):
+            if now and was == [False]:
+                return True
+            was = [now]
+        return False
+
+    def orders(self, since: float) -> list[str]:
+        """What has left the board later than this that arms, moves, sets a mode or changes the plan."""
+        found = []
+        for entry in self.world.wire.frames(">"):
+            message = entry.message
+            if message is None or entry.time <= since:
+                continue
+            kind = message.get_type()
+            if kind == "SET_POSITION_TARGET_LOCAL_NED" and (message.vx, message.vy, message.vz) == (0, 0, 0):
+                continue  # a stop, which docs/steering.md promises at the end
+            if kind in ORDERS or (kind.startswith("COMMAND_") and getattr(message, "command", 0) not in (0, *QUESTIONS)
+                                  and kind != "COMMAND_ACK"):  # fmt: skip
+                found.append(f"{kind} {getattr(message, 'command', '')} {entry.time - since:.2f} s behind it")
+        return found
+
+    # The flight
+
+    def fly(self) -> None:
+        world, truth = self.world, self.truth
+        if self.flown.example in BUTTONS:
+            world.run(5.0)
+            self.press(0, PRESSED_S[self.flown.example])
+        if not world.until(lambda: truth.armed, ARMS_S):
+            self.wrong(f"never armed; the console's last state is {self.last_state!r}")
+            return
+        befalls = self.flown.befalls
+        if befalls in ("undisturbed", "3 % of bytes"):
+            self.to_the_end()
+            self.judge_end()
+        elif befalls.startswith(("a pilot", "a failsafe")):
+            self.behind_a_person()
+        else:
+            self.behind_a_fault()
+        for time, _ in self.said("landed"):
+            state = [armed for at, _, armed in truth.modes if at <= time + SHOWS_S]
+            if state and state[-1]:
+                self.wrong(f"'landed' at {time - self.began:.1f} s, and it is armed")
+        self.result.status = self.last_state
+
+    def to_the_end(self, limit_s: float = ENDS_S) -> None:
+        world, truth = self.world, self.truth
+        if self.flown.example == "FlyByButtons" and world.until(lambda: bool(self.said("at the stop")), 90):
+            self.press(1, 4.0)
+            world.run(3.0)
+            self.press(0, PRESSED_S[self.flown.example])
+
+        def is_over() -> bool:
+            wanted = LANDINGS.get(self.flown.example, 1)
+            return not truth.armed and (self.landings() >= wanted or self.last_state.startswith("ended"))
+
+        world.until(is_over, limit_s)
+        world.run(10.0)
+
+    def judge_end(self) -> None:
+        """Of a flight to its end."""
+        if self.last_state != "landed":
+            self.wrong(f"nobody was there, and the console's last state is {self.last_state!r}")
+        if self.truth.armed:
+            self.wrong("it is armed at the end")
+        if (landings := self.landings()) != LANDINGS.get(self.flown.example, 1):
+            self.wrong(f"it has landed {landings} times")
+        if self.top < 4.0:
+            self.wrong(f"it has flown no higher than {self.top:.1f} m")
+        if self.flown.example in PLANNED:
+            judge_aboard(self.world, self.result)
+        self.result.notes.append(f"as high as {self.top:.1f} m")
+
+    def in_the_air(self) -> bool:
+        return self.truth.armed and self.truth.height > 2.0
+
+    def moment(self) -> None:
+        """A random one of the flight."""
+        self.world.until(self.in_the_air, 60.0)
+        self.world.run(self.chance.uniform(0, 15))
+
+    def behind_a_person(self) -> None:
+        world, truth, befalls = self.world, self.truth, self.flown.befalls
+        mine: set[int] = set()
+        if befalls == "a pilot disarms":
+            world.run(self.chance.uniform(0, 2.0))
+            came = world.now
+            truth.arm(False)
+            if truth.armed:
+                self.result.notes.append("it could not be disarmed")
+                return self.bring_down()
+            mine |= {truth.mode}
+            at = truth.modes[-1][0]
+        else:
+            self.moment()
+            if not truth.armed:
+                self.result.notes.append("it was over before the person came")
+                return
+            goes_on = world.now
+            if befalls == "a pilot comes while loop() stands still":
+                goes_on = self.stand_still()
+                world.run(self.chance.uniform(0.2, 1.8))
+            came, own = world.now, truth.mode
+            if befalls == "a failsafe":
+                world.sticks = 900
+                mine |= {MODES[RETURNS], MODES["LAND"]}
+                world.until(lambda: truth.mode in mine, 10.0)
+            else:
+                mine |= {MODES["LOITER"]}
+                truth.set_mode(MODES["LOITER"])
+                world.until(lambda: truth.mode in mine, 3.0)
+            if truth.mode not in mine:
+                self.result.notes.append(f"{befalls} did not come to be")
+                return
+            # A sketch that has stood still hears of it by the next heartbeat.
+            at = max(truth.modes[-1][0], goes_on + HEARTBEAT_S if goes_on > came else 0.0)
+            if befalls == "a pilot lands":
+                world.run(4.0)
+                mine |= {MODES["LAND"]}
+                truth.set_mode(MODES["LAND"])
+            elif befalls == "a pilot gives back":
+                world.run(8.0)
+                mine |= {own}
+                truth.set_mode(own)
+        self.result.notes.append(f"the person came at {came - self.began:.1f} s")
+        world.until(lambda: not truth.armed, PERSON_S)
+        world.run(PERSON_S / 2)
+        self.judge_kept(at, mine)
+        if any(came < time <= at and mode not in mine for time, mode, _ in truth.modes):
+            self.result.notes.append("the person's mode was replaced before the sketch could hear of it")
+        if not self.said("ended", came - 0.2):
+            self.wrong(f"the console never said 'ended' behind it; its last state is {self.last_state!r}")
+        self.bring_down()
+
+    def judge_kept(self, at: float, mine: set[int]) -> None:
+        """Nothing of the sketch's behind this time."""
+        if orders := self.orders(at + SHOWS_S):
+            self.wrong(f"it sent {len(orders)} orders behind it, the first {orders[0]}")
+        names = {number: name for name, number in MODES.items()}
+        others = [(time, names.get(mode, str(mode))) for time, mode, _ in self.changes(at) if mode not in mine]
+        if late := [name for time, name in others if time > at + SHOWS_S]:
+            self.wrong(f"other modes came behind it: {late}")
+        elif others:
+            self.result.notes.append(f"{others[0][1]} came {others[0][0] - at:.2f} s behind it, by an order on its way")
+        if self.armed_again(at):
+            self.wrong("it was armed again behind it")
+
+    def behind_a_fault(self) -> None:
+        world, befalls = self.world, self.flown.befalls
+        self.moment()
+        at = world.now
+        assert world.mega is not None
+        if befalls == "the board is reset":
+            world.mega.reset()
+            world.until(lambda: not self.truth.armed, 150.0 if self.flown.example in PLANNED else 15.0)
+            world.run(10.0)
+            if orders := self.orders(at + 0.1):
+                self.wrong(f"it sent {len(orders)} orders behind the reset, the first {orders[0]}")
+            if self.armed_again(at):
+                self.wrong("it was armed again behind the reset")
+            if self.truth.armed and self.flown.example in PLANNED and self.flown.example != "WorkAtWaypoints":
+                self.wrong("the plan was not flown to its end behind the reset")
+            self.bring_down()
+            return
+        if befalls == "the cable is out":
+            world.wire.pull()
+            world.run(self.chance.choice((2.0, 8.0)))
+            world.wire.plug()
+        else:
+            self.stand_still()
+        world.run(FAULT_S)
+        if not self.said("ended", at):
+            self.to_the_end()
+        if ended := self.said("ended", at):
+            self.result.notes.append(ended[0][1])
+            if orders := self.orders(ended[0][0] + 0.05):
+                self.wrong(f"it sent {len(orders)} orders behind {ended[0][1]!r}, the first {orders[0]}")
+            self.bring_down()
+        else:
+            self.judge_end()
+
+    def stand_still(self) -> float:
+        """loop() does, for 2 or 8 s from now on; when it goes on [s]."""
+        assert self.world.mega is not None
+        ms = self.chance.choice((2000, 8000))
+        self.world.mega.poke_int(STALL, ms)
+        return self.world.now + ms / 1000
+
+    def bring_down(self) -> None:
+        """The truth lands what is still in the air."""
+        if self.truth.armed:
+            self.result.notes.append(f"brought down from {self.truth.height:.0f} m by the truth")
+            self.world.sticks = None
+            self.truth.set_mode(MODES["LAND"])
+            self.world.until(lambda: not self.truth.armed, 90.0)
+            if self.truth.armed:
+                self.wrong("it could not be brought down")
+
+
+def judge_aboard(world: Any, result: Result) -> None:
+    """What the board has sent last of a plan, item by item, must be what the truth reads."""
+    sent: dict[int, dict[int, Any]] = {}
+    for entry in world.wire.frames(">", "MISSION_ITEM_INT", "MISSION_COUNT"):
+        message = entry.message
+        if message.get_type() == "MISSION_COUNT":
+            sent[message.mission_type] = {}
+        else:
+            sent.setdefault(message.mission_type, {})[message.seq] = message
+    for kind, items in sent.items():
+        home = 1 if kind == 0 else 0  # which is the autopilot's own
+        meant = placed([items[seq] for seq in sorted(items)][home:])
+        held = placed(world.truth.received(kind)[home:])
+        same = len(held) == len(meant) and all(
+            one[0] == other[0]
+            and all(math.isclose(a, b, abs_tol=0.01) for a, b in zip(one[1:], other[1:], strict=True))
+            for one, other in zip(held, meant, strict=True)
+        )
+        if not same:
+            result.wrong.append(f"the plan aboard is not what was sent: {len(held)} items, and {len(meant)} were sent")
+    if not sent:
+        result.notes.append("nothing was sent item by item")
+
+
+def play_printed(world: Any, example: str, result: Result) -> None:
+    """An example that does not arm, until it has printed that its work is done."""
+    words = PRINTED[example]
+    began = world.now
+    if not words:
+        world.run(SILENT_S)
+    elif not world.until(lambda: any(words in line for line in world.lines), PRINTS_S):
+        result.wrong.append(f"{words!r} was not printed within {PRINTS_S:.0f} s: {world.lines[-3:]}")
+    world.run(1.0)
+    result.seconds = world.now - began
+    result.status = world.lines[-1] if world.lines else ""
+    if "aboard" in words or not words:
+        judge_aboard(world, result)
+    if world.truth.armed:
+        result.wrong.append("it is armed")

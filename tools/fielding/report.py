@@ -1,0 +1,58 @@
+"""What came of the trials, as Markdown to keep."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .trials import Outcome
+
+KINDS = ("uploads", "random items", "examples", "flights")
+
+
+def report(day: str, outcomes: Sequence[Outcome]) -> str:
+    """Counts by kind, every contradiction with its seed and frames, and the line for docs/autopilots.md."""
+    versions = list(dict.fromkeys(one.version for one in outcomes if one.version)) or ["nothing was flown"]
+    clock = "; ".join(dict.fromkeys(one.clock for one in outcomes if one.clock))
+    trials = [one for one in outcomes if not one.broke]
+    against = [one for one in trials if one.contradictions]
+    broken = [one for one in outcomes if one.broke]
+    lines = [
+        f"# tools/field: {', '.join(versions)}",
+        "",
+        f"{len(trials)} trials, {len(against)} with a contradiction; {len(broken)} came to nothing. Clock: {clock}.",
+        "",
+        "| | trials | with a contradiction | simulated |",
+        "|---|---|---|---|",
+    ]
+    for kind in KINDS:
+        if own := [one for one in trials if one.kind == kind]:
+            minutes = sum(one.simulated_s for one in own) / 60
+            lines.append(
+                f"| {kind} | {len(own)} | {sum(bool(one.contradictions) for one in own)} | {minutes:.0f} min |"
+            )
+    lines += ["", "## Contradictions", ""]
+    for one in against:
+        for words in one.contradictions:
+            lines.append(f"- {one.name}, seed {one.seed}: {words} (`{one.frames}`)")
+    if not against:
+        lines.append("None.")
+    if broken:
+        lines += ["", "## Trials that came to nothing", ""]
+        lines += [f"- {one.name}, seed {one.seed}: {one.broke}" for one in broken]
+    if differ := [(one, words) for one in trials for words in one.fakes_differ]:
+        lines += ["", "## What the fakes do otherwise", ""]
+        lines += [f"- seed {one.seed}: {words}" for one, words in differ]
+    lines += ["", "## Every trial", "", "| trial | seed | ended | s | notes |", "|---|---|---|---|---|"]
+    for one in trials:
+        notes = "; ".join(one.notes) if one.kind != "random items" else f"{len(one.notes)} items"
+        lines.append(f"| {one.name} | {one.seed} | {one.status} | {one.simulated_s:.0f} | {notes.replace('|', '/')} |")
+    lines += ["", "For the table of docs/autopilots.md:", ""]
+    lines += [line_of_autopilots(one, day, outcomes) for one in versions]
+    return "\n".join([*lines, ""])
+
+
+def line_of_autopilots(version: str, day: str, outcomes: Sequence[Outcome]) -> str:
+    trials = [one for one in outcomes if one.version == version and not one.broke]
+    counts = ", ".join(f"{kind} {number}" for kind in KINDS if (number := sum(one.kind == kind for one in trials)))
+    against = sum(bool(one.contradictions) for one in trials)
+    return f"| {version} | {day} | {counts} | {against or 'none'} |"

@@ -1,0 +1,70 @@
+"""The trials of tools/bench and tools/field by name. Nothing need be installed to know them: what each does is in
+tools/benching, and this is the one list of those that differ by two or three words only."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+SCENARIOS = Path(__file__).resolve().parent / "benching" / "scenarios.py"
+SIMULATED = "SIMULATED = ("  # the rows of SCENARIOS from here on are for a simulator alone
+_ROW = re.compile(r'^    Scenario\("([^"]*)"(.*)', re.M)
+
+
+class Grid(NamedTuple):
+    """An upload on a line that loses so many percent of its bytes, each way taking so long."""
+
+    items: int
+    percent: int
+    ms: int
+
+    @property
+    def name(self) -> str:
+        return f"{self.items} items, {self.percent} % of bytes, {self.ms} ms"
+
+
+class Flown(NamedTuple):
+    """An example, flown to its end, and what befalls it."""
+
+    example: str
+    befalls: str
+
+    @property
+    def name(self) -> str:
+        return f"{self.example}, {self.befalls}"
+
+
+GRID = tuple(Grid(items, percent, ms) for items in (5, 60, 300) for percent in (0, 1, 3) for ms in (0, 150))
+RANDOM_ITEMS = "random items against the read-back rules"
+# What an example that does not arm prints when it has done its work; "": it prints nothing.
+PRINTED = {
+    "UploadMission": "",
+    "UploadWithProgress": "aboard: our plan, whole",
+    "EnsureMission": "aboard: our plan, whole",
+    "VerifyUpload": "aboard: our plan, whole",
+    "DownloadMission": "downloaded: the plan has been read",
+    "GridFromFunction": "",
+    "FenceAndRally": "rally: aboard, as it was meant",
+    "UploadByFile": "accepted: the plan is aboard",
+    "LinkDoctor": "all is well",
+    "ReadTelemetry": "-3536326",
+    "FitLight": "fit: all is well",
+    "CheckParameters": "MIS_RESTART: 1.00 done: the autopilot confirmed it",
+}
+FLYING = ("StartMission", "StartButton", "WorkAtWaypoints", "NextWaypoint", "GoToPlaces", "FollowBeacon",
+          "FlyByButtons")  # fmt: skip
+BEFALLS = ("undisturbed", "3 % of bytes", "a pilot lands", "a pilot disarms", "a pilot gives back",
+           "a pilot comes while loop() stands still", "a failsafe", "the cable is out", "the board is reset",
+           "loop() stands still")  # fmt: skip
+FLIGHTS = tuple(Flown(example, befalls) for befalls in BEFALLS for example in FLYING)
+
+
+def board_names() -> list[str]:
+    return [name for name, _ in _ROW.findall(SCENARIOS.read_text().partition(SIMULATED)[0])]
+
+
+def simulator_names() -> list[str]:
+    rows = [name for name, rest in _ROW.findall(SCENARIOS.read_text()) if 'is_for="board"' not in rest]
+    examples = [f"example {name}" for name in PRINTED]
+    return [*rows, *(one.name for one in GRID), RANDOM_ITEMS, *examples, *(one.name for one in FLIGHTS)]
