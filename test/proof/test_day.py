@@ -61,7 +61,7 @@ class Day:
         self.ended: Counter[tuple[str, str]] = Counter()  # (operation, status)
         self.frames_to_us = 0  # that arrived
         self.lost_to_us = 0  # and those that came before a heartbeat when the autopilot had been taken for gone
-        self.at_the_limit = 0  # that was arriving when it was taken for gone: it may be given up
+        self.at_the_limit = 0  # frames that were arriving when it was taken for gone: they may be given up
         self._losses_before = 0
         self._heartbeat_s = 0.0  # when the last one came, or an answer
 

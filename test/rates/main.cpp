@@ -46,7 +46,9 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
       "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
       "client has sent from COUNT on; how many COUNTs and items it has sent that nobody asked for, how many zeros "
       "between\n"
-      "frames, and how many bytes of zeros and of what was sent before. An upload that does not end has "
+      "frames, and how many bytes of zeros and of what was sent before; how many frames of telemetry the autopilot "
+      "had\n"
+      "to send, and how many of them it has left out, since the line was full. An upload that does not end has "
       "`never` in the place of how it ended.\n",
       problem);
   exit(2);
@@ -154,8 +156,9 @@ class Upload {
 
   void print(unsigned seed) const {
     const std::string status = client_->hasEnded() ? client_->status() : "never";
-    printf("%u %s %d %s %d %u %u %u %u %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
-           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, unasked_, zeros_, repeated_);
+    printf("%u %s %d %s %d %u %u %u %u %u %u %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
+           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, unasked_, zeros_, repeated_, telemetry_,
+           leftOut_);
   }
 
  private:
@@ -225,7 +228,11 @@ class Upload {
     if (telemetryPerSecond_ == 0 || nowUs_ < telemetryUs_) return;
     static const Bytes frame = telemetry();
     telemetryUs_ += static_cast<uint32_t>(1000000 * frame.size() / telemetryPerSecond_);
-    if (down_.waiting(nowUs_) > kTransmitBuffer) return;  // it leaves out what it has no room for
+    ++telemetry_;
+    if (down_.waiting(nowUs_) > kTransmitBuffer) {
+      ++leftOut_;  // it has no room for this one
+      return;
+    }
     put(frame, kUnasked, nowUs_);
   }
 
@@ -312,6 +319,7 @@ class Upload {
   uint32_t countedUs_ = 0;
   unsigned sent_ = 0;
   unsigned unasked_ = 0, zeros_ = 0, repeated_ = 0;
+  unsigned telemetry_ = 0, leftOut_ = 0;                    // frames of the autopilot's
   std::map<uint16_t, int> requests_;                        // of the autopilot's, by item
   std::map<std::pair<uint32_t, uint16_t>, int> sentOften_;  // by message, and item if it is one
 };

@@ -10,6 +10,7 @@ import sys
 import pytest
 
 import trial_names
+from benching.items import Row
 from benching.scenarios import SCENARIOS
 from building import ROOT
 from fielding import Kept, Outcome, Runner, report, table
@@ -163,8 +164,6 @@ def test_random_items_are_kept_as_the_read_back_files_are(tmp_path):
 
 def test_what_the_fake_keeps_otherwise_is_told():
     waypoint = Item(3, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, -353632621, 1491652374, 20.0)
-    from benching.items import Row
-
     assert list(fakes_differ([Row(waypoint, "Accepted", waypoint)])) == []
     assert "and by the fake as" in next(fakes_differ([Row(waypoint, "Accepted", waypoint._replace(z=21.0))]))
     assert "Unsupported, and the fake says MAV_MISSION_ACCEPTED" in next(
@@ -209,15 +208,8 @@ def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path):
 
 def test_binary_that_ends_at_once_is_told(tmp_path):
     ends = binary(tmp_path, "#!/bin/sh\necho I do not fly\nexit 3\n")
-    words = [
-        ROOT / "tools" / "field",
-        "--ardupilot",
-        tmp_path,
-        "--only",
-        "the count is lost",
-        "--out",
-        tmp_path / "out",
-    ]
+    out = tmp_path / "out"
+    words = [ROOT / "tools" / "field", "--ardupilot", tmp_path, "--only", "the count is lost", "--out", out]
     ran = subprocess.run(words, capture_output=True, text=True)
     assert ends.exists() and ran.returncode == 1
     assert "the count is lost, seed 1: Gone: arducopter has ended: I do not fly" in ran.stdout

@@ -134,6 +134,15 @@ def test_unasked_repeats_leave_a_fifth_of_a_quick_line_and_half_of_a_slow_one(au
         assert end.bytes_repeated <= end.took_s * baud / 10 * most + 2 * ITEM, end.seed
 
 
+@pytest.mark.parametrize("telemetry", [1000, 3000])
+@BOTH
+def test_telemetry_keeps_its_share_while_items_are_repeated(autopilot, telemetry):
+    """Beside 60 items, on a line that carries 5,760 bytes a second and loses 3 % of them."""
+    ends = rates.uploads(autopilot, "upload", "bytes", 3, 6, None, 57600, 0, telemetry, 0, 60)
+    assert sum(end.telemetry for end in ends) > 1000
+    assert sum(end.left_out for end in ends) == 0
+
+
 # What the measurement itself is worth -----------------------------------------
 
 

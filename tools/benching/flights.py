@@ -306,7 +306,7 @@ def judge_aboard(world: Any, result: Result) -> None:
         else:
             sent.setdefault(message.mission_type, {})[message.seq] = message
     for kind, items in sent.items():
-        home = 1 if kind == 0 else 0  # which is the autopilot's own
+        home = 1 if kind == 0 else 0  # item 0 of a mission is the autopilot's own
         meant = placed([items[seq] for seq in sorted(items)][home:])
         held = placed(world.truth.received(kind)[home:])
         same = len(held) == len(meant) and all(

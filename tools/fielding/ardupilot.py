@@ -26,7 +26,7 @@ PARAMETERS = {
     "SERIAL1_PROTOCOL": 2,  # and so does the line, at the Mega's rate
     "SERIAL0_BAUD": 921,
     "SERIAL1_BAUD": 57,
-    "SIM_BAUDLIMIT_EN": 1,  # which is then kept
+    "SIM_BAUDLIMIT_EN": 1,  # a port is no quicker than its rate
     "LOG_BACKEND_TYPE": 0,  # no card to log to
     "FS_GCS_ENABLE": 0,  # the truth comes and goes, and is no pilot's station
     # Calibrated, as an aircraft is that somebody has set up: without it nothing arms.

@@ -58,6 +58,8 @@ class Upload:
     repeated_unasked: int  # COUNTs and items
     zeros: int  # between frames
     bytes_repeated: int  # zeros, and what was sent before
+    telemetry: int  # frames that the autopilot had to send unasked
+    left_out: int  # and those of them for which its line had no room
 
     @property
     def is_success(self) -> bool:
