@@ -87,7 +87,7 @@ class Flight : private detail::Listener, private detail::FollowRules {
   // What a flight has that is steered; null: a plan alone is flown.
   struct Ways {
     Status (*begin)(Flight& flight, detail::FlightOrder order);  // begins the operation of an order
-    bool (*isOurs)(const Flight& flight);                        // the aircraft is still this sketch's
+    detail::FlightHands (*hands)(const Flight& flight);          // Own: the aircraft is still this sketch's
     bool (*hasArmed)(const Flight& flight);                      // the last order has armed it, and disarmed it again
   };
   // Called at each update() in flight: looks whether the aircraft has come to a stop.
@@ -104,6 +104,7 @@ class Flight : private detail::Listener, private detail::FollowRules {
   bool isSteered_ : 1;           // an order has been given in this flight
   bool comesDown_ : 1;           // and it was to land, or to return
   bool isOnTheWay_ : 1;          // to where it was sent
+  bool isAsked_ : 1;             // by begin(): a person asks for the aircraft
 
  private:
   static void take(detail::Listener& listener, const detail::FrameParser& frame);

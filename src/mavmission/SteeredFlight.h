@@ -37,7 +37,9 @@ class SteeredFlight : public Flight {
   // order takes the aircraft from a pilot or a failsafe. Otherwise Status::Transferring, and why() says if the
   // autopilot refuses the order.
   Status goTo(const LatLon& place, Altitude altitude);
-  // Flies home and lands, or lands here: the state becomes Landed. On the ground the flight is given up.
+  // Flies home and lands, or lands here: the state becomes Landed. On the ground the flight is given up. After begin()
+  // also an aircraft that is in the air already, such as after a reset or a long silence, while its mode is one in
+  // which it flies by itself; else Status::PilotHasIt.
   Status goHome() { return comeDown(detail::FlightOrder::Home); }
   Status land() { return comeDown(detail::FlightOrder::Land); }
 
@@ -46,7 +48,7 @@ class SteeredFlight : public Flight {
 
  private:
   static Status beginOrder(Flight& flight, detail::FlightOrder order);
-  static bool isOurs(const Flight& flight);
+  static detail::FlightHands hands(const Flight& flight);
   static void lookForArrival(Flight& flight);
   static bool hasArmed(const Flight& flight);
   Status comeDown(detail::FlightOrder order);

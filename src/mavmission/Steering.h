@@ -12,6 +12,7 @@ namespace mavmission {
 
 class Adjustments;
 class MovingTarget;
+class SteeredFlight;
 
 // The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
 // it is in the air (EXTENDED_SYS_STATE), and a plane of ArduPilot whether it can hover. AskHome: PX4 is asked whether
@@ -62,10 +63,10 @@ class Steering : public detail::Listener, private detail::SteerRules {
   explicit Steering(MissionClient& client);
 
   // Arms the aircraft, and makes it climb vertically to this height above home: for ArduPilot's copters and QuadPlanes,
-  // and for PX4. Done when it has left the ground; hasArrived() becomes true at that height. In the air it is refused
-  // (Status::Armed). If it is armed and the takeoff is refused or not answered, or does not leave the ground within
-  // 15 s, it is disarmed again. A plane is asked first whether it can hover (EXTENDED_SYS_STATE). A QuadPlane climbs to
-  // this height above the place where it stands, not above home.
+  // and for PX4. Done when it has left the ground; hasArrived() becomes true at that height, on PX4 in HOLD. In the air
+  // it is refused (Status::Armed). If it is armed and the takeoff is refused or not answered, or does not leave the
+  // ground within 15 s, it is disarmed again. A plane is asked first whether it can hover (EXTENDED_SYS_STATE). A
+  // QuadPlane climbs to this height above the place where it stands, not above home.
   Status takeOff(Metres aboveHome);
 
   // Flies to a place now, and stays there (MAV_CMD_DO_REPOSITION). Done when the autopilot has accepted the place and
@@ -110,6 +111,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
  private:
   friend class Adjustments;
   friend class MovingTarget;
+  friend class SteeredFlight;
 
   // What an altitude is measured from.
   enum class Above : uint8_t { Nothing, Home, Sea };
@@ -168,12 +170,16 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool mayBeOfPlan() const;
   bool isMissionMode() const;
   bool isFailsafe() const;
+  bool isFlownByOrders() const;
   bool needsHome() const;
   bool stopsByPlace() const;
   bool hasCommand() const;
   bool wantsPosition() const;
   bool changesMode() const;
+  bool isInHoldAloft() const;
   bool hasClimbed() const;
+  bool mayHaveClimbed() const;
+  uint16_t positionAgeS() const;
   bool isPositionKnown() const;
   void forgetShown();
   bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }

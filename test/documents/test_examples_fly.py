@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from benching.flights import STALL, firmware
 from example_runs import Run
 from simulation.fake_autopilot import mavlink
+from simulation.mega import Image
 
 PRESS = {"StartButton": 2.2, "FlyByButtons": 1.2}  # how long its button is held [s]
 BUTTON = 0x2C, 1 << 4  # pin 2 of a Mega: PINE, bit 4
@@ -262,6 +264,58 @@ def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands_also_behind_
     story.press(1.2)
     story.reach("ended by silence", 60.0)
     assert not story.autopilot.armed
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("befalls", ["a long cut", "a reset", "a pilot"])
+def test_a_button_lands_what_is_in_the_air_behind_a_long_cut_or_a_reset_but_nothing_of_a_pilots(befalls):
+    story = Story("FlyByButtons")
+    story.reach("at the stop")
+    if befalls == "a pilot":
+        story.set_mode(*PILOTS["copter"])
+    elif befalls == "a reset":
+        story.mega.reset()
+        story.run(0.3)
+        story.press(0.0)
+    else:
+        story.is_plugged = False
+        story.run(25.0)
+        story.is_plugged = True
+    story.run(4.0)
+    said = len(story.lines)
+    story.press(1.2)
+    story.run(20.0)
+    is_pilots = befalls == "a pilot"
+    refused = ["preparing", "ended by a refusal: the autopilot is armed"]
+    assert story.lines[said:] == (refused if is_pilots else ["flying", "landed"]), story.lines
+    assert story.autopilot.armed == is_pilots
+    assert befalls != "a long cut" or story.lines[said - 1] == "ended by silence"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stands_ms", [2000, 4000])
+def test_a_loop_that_stood_still_in_the_air_ends_no_flight_and_the_button_lands_it(stands_ms):
+    story = Story("FlyByButtons", image=Image.load(firmware("FlyByButtons")))
+    story.reach("at the stop")
+    story.run(2.0)
+    story.mega.poke_int(STALL, stands_ms)
+    story.run(stands_ms / 1000 + 4.0)
+    assert story.lines[-1] == "at the stop", story.lines
+    story.press(1.2)
+    story.reach("landed", 60.0)
+    assert not story.autopilot.armed
+
+
+@pytest.mark.slow
+def test_a_rover_that_has_arrived_is_disarmed_also_where_its_last_item_is_set_once_more():
+    story = Story("WorkAtWaypoints", "rover")
+    story.reach("flying")
+    while not story.autopilot.complete:
+        assert story.now < 200, story.lines
+        story.run(0.002)
+    story.autopilot._set_current(story.autopilot.current, story.now)
+    story.reach("landed", 20.0)
+    assert not story.autopilot.armed and not story.autopilot.complete
 
 
 def test_a_button_that_is_stuck_or_pressed_again_starts_nothing():

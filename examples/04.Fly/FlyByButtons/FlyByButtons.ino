@@ -2,8 +2,8 @@
 // the aircraft flies forward, or turns; without a button it holds its position. The velocity is renewed ten times a
 // second: if the sketch no longer did that, the aircraft would be stopped. REMOVE THE PROPELLERS WHILE YOU TRY IT.
 //
-// The sketch does not take control from a pilot, and after a reset in flight it sends nothing. When the cable is cut in
-// flight, the flight has ended, and the buttons move nothing any more: have a transmitter at hand to land it with.
+// The sketch does not take control from a pilot. After a reset in flight, and after a cable that was out for long, only
+// the button that lands moves the aircraft: have a transmitter at hand.
 #include <MavMission.h>
 #include <MavMissionButton.h>   // HoldButton
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
@@ -41,8 +41,8 @@ void loop() {
     // In the air it begins to fly so, and again behind a cut cable.
     if (!isFlown && flight.state() == FlightState::AtStop) velocity.start(wanted());
   }
-  // The button lands what flies. On the ground a person asks for the aircraft by it.
+  // The button lands what flies. A person asks for the aircraft by it, in the air, too.
   if (!button.isPressed() || flight.land() == Status::Transferring) return;
   flight.begin();
-  flight.takeOff(kHeight);
+  if (flight.land() != Status::Transferring) flight.takeOff(kHeight);
 }

@@ -144,21 +144,11 @@ struct SteerRules {
   static constexpr uint8_t kTakeOffS = 15;       // from the acceptance of a takeoff until it has left the ground
   static constexpr uint16_t kAskAgainMs = 1000;  // from PX4's answer that it has not, to the next question
   static constexpr uint8_t kFreshS = 3;          // how old a position may be
+  static constexpr uint8_t kTopS = 8;            // how old, where HOLD behind PX4's takeoff waits for the next one
   static constexpr uint8_t kForgetS = 20;        // without a heartbeat: then the sketch's own mode is anybody's
   // In heartbeats of the autopilot, one a second: how long ago it may have named a target for another one to be waited
   // for.
   static constexpr uint8_t kTargetBeats = 5;
-};
-
-// A Flight.
-struct FlightRules {
-  static constexpr uint16_t kReadyS = 300;         // from its beginning until it must have been armed
-  static constexpr uint16_t kReadyAgainMs = 5000;  // from a refusal on the ground to the next attempt
-  static constexpr uint16_t kOrderAgainMs = 1000;  // the same in the air
-  static constexpr uint8_t kOrderTries = 30;       // of an order in the air
-  // In heartbeats, one a second: without MISSION_CURRENT that says that a return is the plan's own; and from the end of
-  // a rover's plan to its disarming.
-  static constexpr uint8_t kUnclearBeats = 5, kArrivedBeats = 3;
 };
 
 struct StandardModeRules {
@@ -185,6 +175,19 @@ struct ClientRules {
   static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered
   // The default limit for a whole operation [s].
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
+};
+
+// A Flight.
+struct FlightRules {
+  static constexpr uint16_t kReadyS = 300;         // from its beginning until it must have been armed
+  static constexpr uint16_t kReadyAgainMs = 5000;  // from a refusal on the ground to the next attempt
+  // From an upload that was acknowledged without a proof to the next one, which late answers to it can no longer spoil.
+  static constexpr uint16_t kProvenAgainMs = ClientRules::kLeftoversMs + 1000;
+  static constexpr uint16_t kOrderAgainMs = 1000;  // the same in the air
+  static constexpr uint8_t kOrderTries = 30;       // of an order in the air
+  // In heartbeats, one a second: without MISSION_CURRENT that says that a return is the plan's own; and from the end of
+  // a rover's plan to its disarming.
+  static constexpr uint8_t kUnclearBeats = 5, kArrivedBeats = 3;
 };
 
 struct FinderRules {

@@ -42,7 +42,7 @@ Flight::Flight(MissionClient& client)
   place_ = LatLon();
   item_ = stop_ = last_ = MissionClient::kNoItem;
   beatsLeft_ = 0;
-  isSteered_ = comesDown_ = isOnTheWay_ = isBeat_ = wantsReason_ = hasBegun_ = false;
+  isSteered_ = comesDown_ = isOnTheWay_ = isAsked_ = isBeat_ = wantsReason_ = hasBegun_ = false;
   isAtEnd_ = isComplete_ = isDoubted_ = isOtherPlan_ = isStop_ = returns_ = false;
 }
 
@@ -57,7 +57,8 @@ Status Flight::beginWith(FlightOrder first) {
   stages_.setNow(millis());
   const Status status = stages_.begin(first);
   if (status != Status::Transferring) return status;
-  isSteered_ = comesDown_ = isOnTheWay_ = hasBegun_ = isAtEnd_ = isComplete_ = isDoubted_ = isOtherPlan_ = false;
+  isSteered_ = comesDown_ = isOnTheWay_ = isAsked_ = hasBegun_ = isAtEnd_ = isComplete_ = isDoubted_ = isOtherPlan_ =
+      false;
   item_ = stop_ = MissionClient::kNoItem;
   reason_[0] = 0;
   return status;
@@ -75,6 +76,7 @@ void Flight::begin() {
   stages_.setNow(millis());
   if (state() == FlightState::Ended) client_.noteTaken(Status::Idle);
   stages_.forget();
+  isAsked_ = state() == FlightState::Idle;
 }
 
 void Flight::giveUp() {
@@ -139,9 +141,12 @@ void Flight::takeCurrent(const FrameParser& frame) {
   if (!stages_.isInFlight()) return;
   beatsLeft_ = kSilence;
   item_ = client_.itemFromWire(frame.payloadWord(offsetof(Current, seq)));
-  isComplete_ = frame.payloadByte(offsetof(Current, mission_state)) == MISSION_STATE_COMPLETE;
+  const uint8_t missionState = frame.payloadByte(offsetof(Current, mission_state));
+  // A rover at its plan's end is there still when its current item is set once more.
+  const bool isReset = missionState == MISSION_STATE_NOT_STARTED && isRover();
+  isComplete_ = missionState == MISSION_STATE_COMPLETE || (isReset && hasBegun_);
   const bool isEnd = item_ == last_ || isComplete_;
-  if (!isEnd) hasBegun_ = true;
+  if (!isEnd && !isReset) hasBegun_ = true;
   if (isEnd && hasBegun_) isAtEnd_ = true;  // for good: ArduPilot rewinds its plan when it is disarmed
   // What is older than the start may be about the plan before.
   const bool isOther = client_.namesOther(frame);
@@ -174,7 +179,8 @@ bool Flight::isRover() const {
 }
 
 FlightHands Flight::hands() const {
-  if (isSteered_ && ways_->isOurs(*this)) return FlightHands::Own;
+  const FlightHands steered = isSteered_ ? ways_->hands(*this) : FlightHands::Pilot;
+  if (steered != FlightHands::Pilot) return steered;
   const CommandPort& commands = client_.commands();
   const uint16_t shown = commands.shownMode();
   const bool isReturn = shown == commands.numberOf(FlightMode::ReturnToLaunch);

@@ -3,7 +3,7 @@
 namespace mavmission {
 using namespace detail;
 
-const Flight::Ways SteeredFlight::kWays = {beginOrder, isOurs, hasArmed};
+const Flight::Ways SteeredFlight::kWays = {beginOrder, hands, hasArmed};
 
 SteeredFlight::SteeredFlight(MissionClient& client)
     : Flight(client), steering_(client), place_(LatLon()), altitude_(Metres(0)) {
@@ -28,7 +28,17 @@ Status SteeredFlight::goTo(const LatLon& place, Altitude altitude) {
   return status;
 }
 
-Status SteeredFlight::comeDown(FlightOrder order) { return stages_.order(order); }
+Status SteeredFlight::comeDown(FlightOrder order) {
+  if (!isAsked_ || !autopilot_.isArmed()) return stages_.order(order);
+  // It is in the air already.
+  if (!steering_.isFlownByOrders()) return Status::PilotHasIt;
+  const Status status = stages_.take(order);
+  if (status != Status::Transferring) return status;
+  isAsked_ = false;
+  isSteered_ = true;
+  steering_.requestControl();
+  return status;
+}
 
 Status SteeredFlight::beginOrder(Flight& flight, FlightOrder order) {
   SteeredFlight& self = static_cast<SteeredFlight&>(flight);
@@ -48,8 +58,11 @@ Status SteeredFlight::beginOrder(Flight& flight, FlightOrder order) {
   return Status::Idle;
 }
 
-bool SteeredFlight::isOurs(const Flight& flight) {
-  return static_cast<const SteeredFlight&>(flight).steering_.maySteer();
+FlightHands SteeredFlight::hands(const Flight& flight) {
+  const Steering& steering = static_cast<const SteeredFlight&>(flight).steering_;
+  // What a loop() that stood still has not read yet may say otherwise: until then it counts as it was.
+  if (steering.isOurs()) return FlightHands::Own;
+  return steering.mayHaveClimbed() ? FlightHands::Unclear : FlightHands::Pilot;
 }
 
 void SteeredFlight::lookForArrival(Flight& flight) {

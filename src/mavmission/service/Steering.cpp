@@ -94,7 +94,8 @@ Status Steering::setSpeed(MetresPerSecond speed) {
 bool Steering::isRunning() const { return client_.commands().runs(on); }
 
 bool Steering::hasArrived(uint16_t withinCm) const {
-  if (!isPositionKnown() || !client_.link().isCurrentAt(millis()) || isRunning() || ownMode_ == kNoMode) return false;
+  if (!isPositionKnown() || !client_.link().isCurrentAt(millis()) || isRunning()) return false;
+  if (ownMode_ == kNoMode || ownMode_ == kPx4TakeOff) return false;  // an order would meet PX4's change to HOLD
   if (target_.above == Above::Home && !isNear(homeCm_, target_.heightCm, withinCm)) return false;
   if (target_.above == Above::Sea && !isNear(seaCm_, target_.heightCm, withinCm)) return false;
   if (!target_.hasPlace) return target_.above != Above::Nothing;
@@ -142,7 +143,7 @@ void Steering::takeHeartbeat() {
   if (client_.commands().isSetting(shown) || isRequested_) ownMode_ = shown;
   isRequested_ = false;
   if (shown != ownMode_ || isFailsafe()) {
-    ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
+    if (!mayHaveClimbed()) ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
   }
   // What an order of the sketch's own sees, it judges by itself: who had control before is looked at when it has ended.
   if (client_.running() != Status::Idle && client_.commands().isCommanding()) return;
@@ -168,7 +169,9 @@ void Steering::forgetShown() {
   forgetTarget();
 }
 
-bool Steering::isPositionKnown() const { return static_cast<uint16_t>(secondsNow() - positionS_) <= kFreshS; }
+uint16_t Steering::positionAgeS() const { return static_cast<uint16_t>(secondsNow() - positionS_); }
+
+bool Steering::isPositionKnown() const { return positionAgeS() <= kFreshS; }
 
 void Steering::requestControl() {
   client_.noteTaken(Status::Idle);
@@ -177,11 +180,20 @@ void Steering::requestControl() {
   isRequested_ = client_.autopilot().heartbeat().baseMode == 0;  // none was heard
 }
 
+bool Steering::isInHoldAloft() const {
+  return client_.commands().shownMode() == client_.commands().numberOf(FlightMode::Hold) && !isFailsafe() && isInAir();
+}
+
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
 bool Steering::hasClimbed() const {
   const Place& top = is(kFromGround) ? wanted_ : target_;
-  return client_.commands().shownMode() == client_.commands().numberOf(FlightMode::Hold) && !isFailsafe() &&
-         isInAir() && isPositionKnown() && isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
+  return isInHoldAloft() && isPositionKnown() &&
+         isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
+}
+
+// The last position came while it climbed: the next one tells.
+bool Steering::mayHaveClimbed() const {
+  return ownMode_ == kPx4TakeOff && isInHoldAloft() && !hasClimbed() && positionAgeS() <= kTopS;
 }
 
 void Steering::takePosition(const FrameParser& frame) {
@@ -192,6 +204,7 @@ void Steering::takePosition(const FrameParser& frame) {
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
   positionS_ = secondsNow();
+  if (ownMode_ == kPx4TakeOff && isInHoldAloft()) ownMode_ = hasClimbed() ? client_.commands().shownMode() : kNoMode;
   if (step_ == SteerStep::AskPosition) isHeard_ = true;
 }
 

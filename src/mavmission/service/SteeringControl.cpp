@@ -37,6 +37,11 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
   }
   if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt);
   const bool hasTakenOff = change_.wanted() == kPx4TakeOff && hasClimbed();
+  // An order that begins at the top waits for the position that tells whose HOLD it is.
+  if (mayHaveClimbed()) {
+    sending.doubt();
+    return Status::Transferring;
+  }
   if (oldMode_ == kPx4TakeOff && ownMode_ == shown && !isOrdered_) lead(shown, change_.wanted());
   switch (change_.onHeartbeat(hasTakenOff ? kPx4TakeOff : shown, isOrdered_, isUnderWay)) {
     case ModeOrder::Sight::Before:

@@ -43,6 +43,16 @@ bool Steering::isOurs() const {
   return isMissionMode() || (ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_);
 }
 
+// In a mode in which an aircraft flies by itself where a plan or an order has sent it: nobody is seen to fly it by
+// hand.
+bool Steering::isFlownByOrders() const {
+  const CommandPort& commands = client_.commands();
+  const uint16_t shown = commands.shownMode();
+  const bool waitsInHold = has(client_.autopilot().firmware(), kFliesToPlacesInHold);
+  return !isFailsafe() && (isMissionMode() || shown == commands.numberOf(FlightMode::Guided) ||
+                           (waitsInHold && shown == commands.numberOf(FlightMode::Hold)));
+}
+
 Status Steering::refuseField(Status status, ItemField field) {
   client_.blame(field);
   return status;

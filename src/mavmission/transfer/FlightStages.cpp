@@ -38,10 +38,16 @@ Status FlightStages::begin(FlightOrder first) {
   tries_ = 0;
   endedBy_ = EndedBy::Nobody;
   why_ = Status::Idle;
-  wasSilent_ = isGivenUp_ = false;
+  wasSilent_ = isSilent_ = isGivenUp_ = false;
   beganMs_ = nowMs_;
   change(FlightState::Preparing);
   return Status::Transferring;
+}
+
+Status FlightStages::take(FlightOrder what) {
+  const Status status = begin(what);
+  if (status == Status::Transferring) change(FlightState::Flying);
+  return status;
 }
 
 void FlightStages::forget() {
@@ -82,8 +88,10 @@ void FlightStages::look(const FlightSight& sight, bool isBeat) {
     case FlightState::Landed: return lookAtGround(sight);
     case FlightState::Flying:
     case FlightState::AtStop:
-      if (!sight.isHeard) wasSilent_ = true;
-      if (sight.isHeard && isBeat) lookInFlight(sight);
+      if (!sight.isHeard) wasSilent_ = isSilent_ = true;
+      if (!sight.isHeard || !isBeat) return;
+      lookInFlight(sight);
+      isSilent_ = false;
   }
 }
 
@@ -118,7 +126,8 @@ void FlightStages::lookInFlight(const FlightSight& sight) {
   if (running_ != FlightOrder::None && running_ != FlightOrder::Disarm) return;
   if (sight.isOtherPlan) return end(EndedBy::OtherStation, Status::Unproven);
   switch (sight.hands) {
-    case FlightHands::Pilot: return end(EndedBy::Pilot, Status::PilotHasIt);
+    // Behind a silence nobody knows whose mode it is.
+    case FlightHands::Pilot: return end(isSilent_ ? EndedBy::Silence : EndedBy::Pilot, Status::PilotHasIt);
     case FlightHands::Failsafe: return end(EndedBy::Failsafe, Status::FailsafeHasIt);
     case FlightHands::Unclear:
       if (++beats_ > kUnclearBeats) end(EndedBy::Failsafe, Status::FailsafeHasIt);
@@ -187,7 +196,9 @@ void FlightStages::onRefused(FlightOrder what, Status status, const FlightSight&
     default: break;
   }
   if (sight.isOtherPlan) return end(EndedBy::OtherStation, status);
-  const bool isAgain = isWorthRetry(status) || status == Status::NoHome;
+  // PX4 denies the start of a plan that it has only just taken.
+  const bool isEarly = status == Status::CommandDenied && what == FlightOrder::Start && tries_ == 1;
+  const bool isAgain = isWorthRetry(status) || status == Status::NoHome || isEarly;
   triedMs_ = nowMs_;
   if (isInFlight()) {
     if (isAgain && tries_ < kOrderTries) {
@@ -213,7 +224,8 @@ void FlightStages::onRefused(FlightOrder what, Status status, const FlightSight&
 FlightOrder FlightStages::due(bool isHeard) const {
   if (running_ != FlightOrder::None || order_ == FlightOrder::None || !isHeard) return FlightOrder::None;
   if (isWaiting() && !seenDisarmed_) return FlightOrder::None;
-  const uint16_t pauseMs = isInFlight() ? kOrderAgainMs : kReadyAgainMs;
+  const bool isUnproven = order_ == FlightOrder::Upload && why_ == Status::Unconfirmed;
+  const uint16_t pauseMs = isInFlight() ? kOrderAgainMs : isUnproven ? kProvenAgainMs : kReadyAgainMs;
   return tries_ == 0 || nowMs_ - triedMs_ >= pauseMs ? order_ : FlightOrder::None;
 }
 

@@ -64,6 +64,8 @@ class FlightStages : public FlightRules {
   void forget();
   // An order in flight. On the ground an order to come down gives the flight up.
   Status order(FlightOrder what);
+  // A flight of this order alone, of an aircraft that is in the air already.
+  Status take(FlightOrder what);
   // Gives the flight up, on the ground. In the air the autopilot flies on.
   void giveUp(FlightOrder ifItFlies);
 
@@ -113,6 +115,7 @@ class FlightStages : public FlightRules {
   bool hasHeard_ : 1;      // since it began
   bool seenDisarmed_ : 1;  // since it began
   bool wasSilent_ : 1;     // in flight
+  bool isSilent_ : 1;      // so it is still
   bool knowsRest_ : 1;     // restModes_ are known
   bool isGivenUp_ : 1;
   uint16_t restModes_[2];  // on the ground it is in one of these, unless somebody sets another one

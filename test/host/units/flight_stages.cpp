@@ -69,6 +69,7 @@ struct Talk {
         {"goto", [](Talk& t) { t.stages.order(Order::GoTo); }},
         {"home", [](Talk& t) { t.stages.order(Order::Home); }},
         {"land", [](Talk& t) { t.stages.order(Order::Land); }},
+        {"takeland", [](Talk& t) { t.stages.take(Order::Land); }},
         {"giveup", [](Talk& t) { t.stages.giveUp(Order::None); }},
         {"again", [](Talk& t) { t.stages.forget(); }},
         {"arrive", [](Talk& t) { t.stages.arrive(); }},
@@ -144,10 +145,12 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       "fly beat >upload =accepted >start =otheritem ended/refusal",
       // It is not ready: every 5 s again, for five minutes.
       NOTREADY "beat3 > beat >start =failed notready beat4 > beat >start armed! =done flying",
-      "fly beat >upload =unconfirmed notready beat5 >upload =accepted >start",
+      "fly beat >upload =unconfirmed notready beat10 > beat >upload =accepted >start",
       NOTREADY "beat300 >start =failed ended/refusal beat99 >",
       NOTREADY "=failed beat9 >start =failed,disarmed ended/refusal",
-      "fly beat >upload =accepted >start =denied ended/refusal beat9 >",
+      "fly beat >upload =accepted >start =denied notready beat4 > beat >start =denied ended/refusal beat9 >",
+      "fly beat >upload =accepted >start =failed beat5 >start =denied ended/refusal",
+      "takeoff beat >takeoff =denied ended/refusal",
       "fly beat >upload =bad ended/refusal beat9 >",
       "takeoff beat >takeoff =nohome notready beat5 >takeoff",
       // Nobody is heard; then silence.
@@ -187,6 +190,11 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       AIRBORNE "unclear! beat6 ended/failsafe",
       AIRBORNE "silent! beat20 flying heard! beat flying over! disarmed! beat ended/silence beat9 >",
       AIRBORNE "silent! beat disarmed! heard! beat ended/silence",
+      AIRBORNE "silent! beat pilot! heard! beat ended/silence beat9 >",
+      AIRBORNE "silent! beat heard! beat pilot! beat ended/pilot",
+      // What is in the air already is landed.
+      "armed! takeland flying beat >land =done beat flying over! disarmed! beat landed",
+      "armed! takeland beat >land takeland =pilot ended/pilot takeland ended/pilot beat9 > again takeland beat >land",
       AIRBORNE "giveup flying again flying",
       // A rover is disarmed at its end, while it is still ours.
       AIRBORNE "over! staysarmed! beat3 > beat >disarm disarmed! =done beat landed",

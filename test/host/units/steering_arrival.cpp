@@ -324,6 +324,73 @@ TEST_CASE("the top of PX4's takeoff, at which it goes over to HOLD by itself, is
   }
 }
 
+TEST_CASE("whose HOLD it is behind a takeoff is told by the next position, where the last one is not of the top") {
+  // `agoMs`: how old the last position is when HOLD is shown. `then`: the heights of the positions that follow, 0 for
+  // 10 s without one.
+  const struct {
+    int32_t lastMm;
+    uint32_t agoMs;
+    std::vector<int32_t> then;
+    bool isOurs;
+  } kCases[] = {{15000, 0, {18000}, true},
+                {15000, 7000, {22000}, true},
+                {20000, 7000, {20000}, true},
+                {15000, 0, {17990}, false},
+                {15000, 0, {17990, 20000}, false},
+                {15000, 0, {0, 20000}, false},
+                {15000, 10000, {20000}, false},
+                {20000, 0, {22010}, true},
+                {15000, 0, {22000, 17000}, true},
+                {15000, 0, {20000, 20000}, true},
+                {15000, 0, {0}, false}};
+  for (const auto& one : kCases) {
+    for (bool isOrdered : {false, true}) {
+      CAPTURE(one.agoMs);
+      CAPTURE(one.then[0]);
+      CAPTURE(isOrdered);
+      Aircraft px4(ClientOnLine::kPx4);
+      px4.stand(kPx4Position);
+      px4.steering.takeOff(20_m);
+      REQUIRE((px4.end() == Status::Done));
+      px4.hasPosition = false;
+      const auto tell = [&](int32_t mm) {
+        px4.homeMm = mm;
+        px4.seaMm = 584000 + mm;
+        px4.tellPosition();
+        px4.pass(2);
+      };
+      tell(one.lastMm);
+      CHECK(px4.steering.maySteer());
+      CHECK_FALSE(px4.steering.hasArrived());  // it shows its takeoff still
+      px4.pass(one.agoMs);
+      px4.said();
+      if (isOrdered) px4.steering.goTo(kPlace, 20_m);
+      for (int ms = 0; isOrdered && ms < 3000 && px4.steering.step() != SteerStep::AskPosition; ++ms) px4.pass(1);
+      const bool isWaiting = px4.client.isBusy() && px4.steering.step() == SteerStep::AskPosition;
+      px4.show(kPx4Hold);
+      px4.pass(500);
+      CHECK(px4.client.isBusy() == (isWaiting && one.agoMs < 8000));
+      for (int32_t mm : one.then) {
+        if (mm == 0) px4.pass(10000);
+        if (mm != 0) tell(mm);
+        px4.pass(500);
+      }
+      if (one.isOurs) CHECK((px4.client.takenBy() == Status::Idle));
+      if (isWaiting) {
+        if (px4.client.isBusy()) px4.end();
+        CHECK((px4.ended == (one.isOurs ? Status::Done : Status::PilotHasIt)));
+        CHECK((px4.said().find("I192") != std::string::npos) == one.isOurs);
+      }
+      if (isOrdered) continue;
+      CHECK(px4.steering.maySteer() == one.isOurs);
+      CHECK(px4.steering.hasArrived() == (one.isOurs && one.then.back() >= 18000 && one.then.back() <= 22000));
+      px4.hasPosition = true;
+      px4.steering.goTo(kPlace, 20_m);
+      CHECK((px4.end() == (one.isOurs ? Status::Done : Status::PilotHasIt)));
+    }
+  }
+}
+
 TEST_CASE("HOLD is a pilot's if the aircraft stands, if no position has come, or if it is another mode") {
   for (int what = 0; what < 5; ++what) {
     CAPTURE(what);
