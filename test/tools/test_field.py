@@ -10,21 +10,22 @@ import sys
 import pytest
 
 import trial_names
-from benching.items import Row
+from benching.items import Row, fakes_differ
 from benching.scenarios import SCENARIOS
 from building import ROOT
 from fielding import Kept, Outcome, Runner, report, table
-from fielding.trials import RESULTS, fakes_differ
+from fielding.ardupilot import sensors
+from fielding.trials import RESULTS
 from fielding.vehicles import GRAVITY, Copter
 from simulation import recordings
 from simulation.fake_autopilot import Item, mavlink
 from stand_in import StandIn, started
 
-TRIALS = {one.name: one for one in table()}
+TRIALS = {(vehicle, one.name): one for vehicle in trial_names.VEHICLES for one in table(vehicle)}
 
 
-def played(folder, name: str, seed: int = 1, **defects) -> Outcome:
-    ((outcome, _, _),) = Runner(started(**defects), Kept(folder)).run([TRIALS[name]], [seed], None)
+def played(folder, name: str, vehicle: str = "arducopter", **defects) -> Outcome:
+    ((outcome, _, _),) = Runner(started(**defects), Kept(folder)).run([TRIALS[vehicle, name]], [1], None)
     assert outcome.broke == ""
     return outcome
 
@@ -32,7 +33,9 @@ def played(folder, name: str, seed: int = 1, **defects) -> Outcome:
 def test_table_is_the_one_that_is_listed():
     assert [one.name for one in table()] == trial_names.simulator_names()
     assert [one.name for one in SCENARIOS] == trial_names.board_names()
-    assert len(TRIALS) == len(table())
+    assert len({one.name for one in table()}) == len(table())
+    for vehicle in trial_names.VEHICLES:
+        assert [one.name for one in table(vehicle)] == trial_names.simulator_names(vehicle)
 
 
 GOOD = ("the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
@@ -108,12 +111,12 @@ def test_planted_defect_is_named_in_the_report(tmp_path, name, defect, words):
     assert re.fullmatch(r"arducopter \d+\.\d+\.\d+ \(.*\)", outcome.version)
     text = report("2026-01-02", [outcome])
     line = next(one for one in text.splitlines() if one.startswith("- ") and words in one)
-    assert f"{name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
+    assert f"- arducopter: {name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
     assert text.rstrip().splitlines()[-1] == f"| {outcome.version} | 2026-01-02 | {outcome.kind} 1 | 1 |"
 
 
 def test_run_goes_on_where_it_stopped(tmp_path):
-    trials = [TRIALS[name] for name in ("nothing is lost", "the count is lost")]
+    trials = [TRIALS["arducopter", name] for name in ("nothing is lost", "the count is lost")]
     first = list(Runner(started(), Kept(tmp_path)).run(trials[:1], [1], None))
     assert [(one.name, done, total) for one, done, total in first] == [("nothing is lost", 1, 1)]
     runner = Runner(started(), Kept(tmp_path))
@@ -125,19 +128,19 @@ def test_run_goes_on_where_it_stopped(tmp_path):
 def test_no_trial_is_begun_after_its_minutes(tmp_path):
     clock = iter(range(0, 10_000, 40))  # [s]: each look at it takes so long
     runner = Runner(started(), Kept(tmp_path), lambda: next(clock))
-    assert len(list(runner.run([TRIALS["nothing is lost"]], [1, 2, 3, 4, 5], 2.0))) == 1
+    assert len(list(runner.run([TRIALS["arducopter", "nothing is lost"]], [1, 2, 3, 4, 5], 2.0))) == 1
 
 
 def test_simulator_that_breaks_is_told_and_tried_again(tmp_path):
-    def breaks(folder):
+    def breaks(vehicle, folder):
         raise OSError("no such simulator")
 
-    trial = TRIALS["nothing is lost"]
+    trial = TRIALS["arducopter", "nothing is lost"]
     ((outcome, _, _),) = Runner(breaks, Kept(tmp_path)).run([trial], [1], None)
     assert outcome.broke == "OSError: no such simulator"
     text = report("2026-01-02", [outcome])
     assert "0 trials, 0 with a contradiction; 1 came to nothing" in text
-    assert "- nothing is lost, seed 1: OSError: no such simulator" in text
+    assert "- arducopter: nothing is lost, seed 1: OSError: no such simulator" in text
     assert played(tmp_path, trial.name).status == "Accepted"
 
 
@@ -164,10 +167,12 @@ def test_random_items_are_kept_as_the_read_back_files_are(tmp_path):
 
 def test_what_the_fake_keeps_otherwise_is_told():
     waypoint = Item(3, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, -353632621, 1491652374, 20.0)
-    assert list(fakes_differ([Row(waypoint, "Accepted", waypoint)])) == []
-    assert "and by the fake as" in next(fakes_differ([Row(waypoint, "Accepted", waypoint._replace(z=21.0))]))
+    assert list(fakes_differ([Row(waypoint, "Accepted", waypoint)], "arducopter", "")) == []
+    assert "and by the fake as" in next(
+        fakes_differ([Row(waypoint, "Accepted", waypoint._replace(z=21.0))], "arducopter", "")
+    )
     assert "Unsupported, and the fake says MAV_MISSION_ACCEPTED" in next(
-        fakes_differ([Row(waypoint, "Unsupported", None)])
+        fakes_differ([Row(waypoint, "Unsupported", None)], "px4", "px4 1.17.0")
     )
 
 
@@ -182,37 +187,76 @@ def test_copter_stands_climbs_and_tilts_as_its_motors_say():
     for _ in range(80):
         copter.step((1300, 1500, 1500, 1300), 0.00125)  # the left ones turn faster: it rolls to the right
     assert copter.turning[0] > 0.1 and copter.position[1] >= 0.0
-    assert copter.sensors().startswith('"timestamp":1.225')
+    assert sensors(copter).startswith('"timestamp":1.225')
 
 
-def binary(folder, text: str):
-    file = folder / "arducopter"
+def binary(file, text: str):
+    file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text)
     file.chmod(0o755)
     return file
 
 
-def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path):
-    stub = binary(tmp_path, f"#!{sys.executable}\nimport sys\nsys.path[:0] = {sys.path!r}\nimport stub_arducopter\n")
-    words = [ROOT / "tools" / "field", "--ardupilot", stub, "--only", "the count is lost", "--out", tmp_path / "out"]
-    ran = subprocess.run(words, capture_output=True, text=True)
-    assert ran.returncode == 0, ran
-    assert "] 1 of 1, 0 left: the count is lost, seed 1: as it must be (" in ran.stdout
-    text = (tmp_path / "out" / "report.md").read_text()
-    assert "\n1 trials, 0 with a contradiction; 0 came to nothing. Clock: in step: our physics hands it" in text
-    assert re.search(r"\n\| arducopter [\d.]+ \(.*\) \| \d{4}-\d\d-\d\d \| uploads 1 \| none \|\n$", text)
-    again = subprocess.run(words, capture_output=True, text=True)
-    assert again.stdout == f"the report: {tmp_path / 'out' / 'report.md'}\n"
-    assert (tmp_path / "out" / "report.md").read_text() == text
+def stub(file):
+    """In the place of the binary of this name."""
+    return binary(file, f"#!{sys.executable}\nimport sys\nsys.path[:0] = {sys.path!r}\nimport stub_{file.name}\n")
 
 
-def test_binary_that_ends_at_once_is_told(tmp_path):
-    ends = binary(tmp_path, "#!/bin/sh\necho I do not fly\nexit 3\n")
+def px4_build(folder, make=stub):
+    """Its folder, as PX4's make leaves it."""
+    make(folder / "bin" / "px4")
+    (folder / "etc" / "init.d-posix").mkdir(parents=True)
+    (folder / "etc" / "init.d-posix" / "rcS").touch()
+    return folder
+
+
+def field(*words, out) -> subprocess.CompletedProcess:
+    return subprocess.run([ROOT / "tools" / "field", *words, "--out", out], capture_output=True, text=True)
+
+
+@pytest.mark.parametrize(
+    ("vehicle", "clock"),
+    [("arducopter", "in step: our physics hands it"), ("px4", "in step: our sensors hand it each moment (lockstep)")],
+)
+def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path, vehicle, clock):
+    way = ["--px4", px4_build(tmp_path)] if vehicle == "px4" else ["--ardupilot", stub(tmp_path / vehicle)]
     out = tmp_path / "out"
-    words = [ROOT / "tools" / "field", "--ardupilot", tmp_path, "--only", "the count is lost", "--out", out]
-    ran = subprocess.run(words, capture_output=True, text=True)
-    assert ends.exists() and ran.returncode == 1
-    assert "the count is lost, seed 1: Gone: arducopter has ended: I do not fly" in ran.stdout
+    ran = field(*way, "--only", "the count is lost", out=out)
+    assert ran.returncode == 0, ran
+    assert f"] 1 of 1, 0 left: {vehicle}: the count is lost, seed 1: as it must be (" in ran.stdout
+    text = (out / "report.md").read_text()
+    assert f"\n1 trials, 0 with a contradiction; 0 came to nothing. Clock: {clock}" in text
+    assert re.search(rf"\n\| {vehicle} [\d.]+ \(.*\) \| \d{{4}}-\d\d-\d\d \| uploads 1 \| none \|\n$", text)
+    again = field(*way, "--only", "the count is lost", out=out)
+    assert again.stdout == f"the report: {out / 'report.md'}\n"
+    assert (out / "report.md").read_text() == text
+
+
+ENDS = "#!/bin/sh\necho I do not fly\nexit 3\n"
+
+
+def test_binaries_that_end_at_once_are_told(tmp_path):
+    for name in ("arducopter", "ardurover"):
+        binary(tmp_path / "bin" / name, ENDS)
+    px4_build(tmp_path / "px4", lambda file: binary(file, ENDS))
+    ran = field("--ardupilot", tmp_path, "--px4", tmp_path / "px4", "--only", "the count is lost", out=tmp_path / "out")
+    assert ran.returncode == 1
+    for name in ("arducopter", "ardurover", "px4"):
+        assert f"{name}: the count is lost, seed 1: Gone: {name} has ended: I do not fly" in ran.stdout
+
+
+def test_what_is_not_to_be_flown_is_told(tmp_path):
+    def told(*words) -> str:
+        ran = field(*words, out=tmp_path / "out")
+        assert (ran.returncode, ran.stdout) == (1, "")
+        return ran.stderr
+
+    assert f"there is no px4 in {tmp_path}" in told("--px4", tmp_path)
+    assert "is none of arducopter, ardurover, arduplane" in told("--ardupilot", binary(tmp_path / "antenna", ENDS))
+    assert "has no etc/init.d-posix/rcS: was it built" in told("--px4", binary(tmp_path / "bin" / "px4", ENDS))
+    (tmp_path / "arducopter").touch()
+    assert "cannot be run" in told("--ardupilot", tmp_path)
+    assert "no trial has 'nowhere' in its name" in told("--px4", px4_build(tmp_path / "own"), "--only", "nowhere")
 
 
 def test_tool_lists_its_trials():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
@@ -13,7 +14,14 @@ ADDRESS = (255, mavlink.MAV_COMP_ID_MISSIONPLANNER)
 ARMED = mavlink.MAV_MODE_FLAG_SAFETY_ARMED
 FORCED = 21196  # arm or disarm, whatever the checks say
 ANSWERS_S = 1.0
-ASKED_FOR = {0: 20_000, 24: 500_000, 33: 100_000, 245: 100_000}  # [us] between two of these messages
+ASKED_FOR = {
+    0: 20_000,
+    1: 500_000,
+    24: 500_000,
+    33: 100_000,
+    242: 1_000_000,
+    245: 100_000,
+}  # [us] between two of these messages
 REPEATS = 30
 
 
@@ -29,9 +37,10 @@ class Truth:
     """`run(seconds)` lets time go on, which `clock()` tells [s]; `write(bytes)` is the port."""
 
     def __init__(
-        self, run: Callable[[float], None], clock: Callable[[], float], write: Callable[[bytes], None]
+        self, run: Callable[[float], None], clock: Callable[[], float], write: Callable[[bytes], None], has_home: bool
     ) -> None:
         self._run, self._clock, self._write = run, clock, write
+        self.homes = int(has_home)  # so many items of a mission are the autopilot's own: ArduPilot's first is home
         self._mav = mavlink.MAVLink(None, *ADDRESS)
         self._mav.robust_parsing = True
         self._beat_at = -1.0
@@ -98,6 +107,12 @@ class Truth:
         told = self.latest.get("GLOBAL_POSITION_INT")
         return told.relative_alt / 1000 if told else 0.0
 
+    @property
+    def moved(self) -> float:
+        """[m from home], level"""
+        told, home = map(self.latest.get, ("GLOBAL_POSITION_INT", "HOME_POSITION"))
+        return math.hypot(told.lat - home.latitude, told.lon - home.longitude) / 90 if told and home else 0.0
+
     def received(self, mission_type: int = 0) -> list[Item]:
         """The items aboard, read by their own transfer."""
         kind = mission_type
@@ -121,7 +136,9 @@ class Truth:
         told = self._asked(ask, lambda one: one.get_type() == "AUTOPILOT_VERSION")
         major, minor, patch, kind = told.flight_sw_version.to_bytes(4, "big")
         release = {0: "-dev", 64: "-alpha", 128: "-beta", 192: "-rc", 255: ""}.get(kind, f"-{kind}")
-        return f"{major}.{minor}.{patch}{release} ({bytes(told.flight_custom_version).decode(errors='replace')})"
+        commit = bytes(told.flight_custom_version)
+        words = commit.decode(errors="replace") if self.homes else commit[::-1].hex()[:8]
+        return f"{major}.{minor}.{patch}{release} ({words})"
 
     # What it does
 
@@ -144,7 +161,8 @@ class Truth:
         return result
 
     def set_mode(self, number: int) -> None:
-        self.command(mavlink.MAV_CMD_DO_SET_MODE, 1, number)
+        px4s = (number >> 16 & 0xFF, number >> 24)  # its main mode, and its part
+        self.command(mavlink.MAV_CMD_DO_SET_MODE, 1, *(px4s if any(px4s) else (number,)))
 
     def upload_beside(self, items: Sequence[Item]) -> int:
         """A plan of its own, as a second station would; the MAV_MISSION_RESULT."""
@@ -152,7 +170,7 @@ class Truth:
         def asks(one: Any) -> bool:
             return one.get_type() in ("MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK") and one.mission_type == 0
 
-        plan = [items[0], *items]  # home first
+        plan = [*items[: self.homes], *items]  # home first
         message = mavlink.MAVLink_mission_count_message(1, 1, len(plan), 0)
         while True:
             answer = self._asked(message, asks)
