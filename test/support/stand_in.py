@@ -53,6 +53,7 @@ class StandIn:
         self.now = 0.0
         self.has_remote = True
         self.is_closed = False
+        self.has_landed = False
         self.line, self.truth = Port(self._line_write), Port(self._truth_write)
         self._defect, self._hears = defect, hears
         self._from_truth, self._from_line = FrameSplitter(), FrameSplitter()

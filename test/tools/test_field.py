@@ -10,6 +10,7 @@ import sys
 import pytest
 
 import trial_names
+from benching.flights import CREWS
 from benching.items import Row, fakes_differ
 from benching.scenarios import SCENARIOS
 from building import ROOT
@@ -19,6 +20,7 @@ from fielding.trials import RESULTS
 from fielding.vehicles import GRAVITY, Copter
 from simulation import recordings
 from simulation.fake_autopilot import Item, mavlink
+from simulation.fake_autopilot.px4_missions import State
 from stand_in import StandIn, started
 
 TRIALS = {(vehicle, one.name): one for vehicle in trial_names.VEHICLES for one in table(vehicle)}
@@ -38,7 +40,9 @@ def test_table_is_the_one_that_is_listed():
         assert [one.name for one in table(vehicle)] == trial_names.simulator_names(vehicle)
 
 
-GOOD = ("the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
+GOOD = {
+    "arducopter": (
+        "the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
         "one operation right behind another", "cancelled, and another right behind it, each way takes 150 ms",
         "loop() stands still for 3 s in an upload", "the cable is out for 12 s, and an upload follows",
         "the board is reset, and uploads again", "a second station uploads meanwhile",
@@ -46,13 +50,24 @@ GOOD = ("the count is lost", "2 of 1000 bytes are lost or altered", "the autopil
         "example UploadMission", "example FenceAndRally", "example ReadTelemetry", "StartMission, undisturbed",
         "StartButton, a pilot lands", "StartMission, a failsafe", "GoToPlaces, a pilot disarms",
         "StartMission, the board is reset", "StartMission, the cable is out",
-        "GoToPlaces, a pilot comes while loop() stands still")  # fmt: skip
+        "GoToPlaces, a pilot comes while loop() stands still"),
+    "px4": (
+        "one operation right behind another", "a second station uploads behind it", trial_names.RANDOM_ITEMS,
+        "example FenceAndRally", "StartMission, undisturbed", "StartMission, a failsafe", "FollowBeacon, a pilot lands",
+        "FlyByButtons, 3 % of bytes"),
+    "ardurover": ("nothing is lost", "StartMission, undisturbed", "StartButton, a pilot lands",
+                  "NextWaypoint, the board is reset"),
+    "arduplane": ("example EnsureMission",),
+}  # fmt: skip
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", GOOD, ids=lambda name: name.replace(" ", "-"))
-def test_library_beside_a_good_autopilot_is_not_contradicted(tmp_path, name):
-    outcome = played(tmp_path, name)
+@pytest.mark.parametrize(
+    ("vehicle", "name"), [(vehicle, name) for vehicle, names in GOOD.items() for name in names],
+    ids=lambda name: name.replace(" ", "-"),
+)  # fmt: skip
+def test_library_beside_a_good_autopilot_is_not_contradicted(tmp_path, vehicle, name):
+    outcome = played(tmp_path, name, vehicle)
     assert (outcome.contradictions, outcome.fakes_differ) == ([], [])
     assert (tmp_path / outcome.frames).stat().st_size > 300
 
@@ -67,24 +82,31 @@ def shifted(message):
 
 def cut_short(stand_in: StandIn) -> None:
     """A plan that has been accepted loses its last items."""
-    missions = stand_in.autopilot.missions[0]
-    if len(missions.held) == 11 and not missions.receiving:
-        del missions.held[8:]
+    missions = stand_in.autopilot.missions
+    if stand_in.name == "px4":
+        held, is_received = missions.held[0], missions.state is State.IDLE
+    else:
+        held, is_received = missions[0].held, not missions[0].receiving
+    if is_received and len(held) >= 10:
+        del held[8:]
 
 
 def arms_again(stand_in: StandIn) -> None:
     """Armed by nobody, five seconds after a person has landed and disarmed it."""
     autopilot = stand_in.autopilot
-    if autopilot.mode == "LAND" and not autopilot.armed:
+    if stand_in.mode in ("LAND", "HOLD") and autopilot.armed:
+        stand_in.has_landed = True
+    if stand_in.has_landed and not autopilot.armed:
+        stand_in.has_landed = False
         autopilot.at("arms again", stand_in.now + 5.0, lambda now: setattr(autopilot, "armed", True))
-        autopilot.mode = "LOITER"
 
 
 def flies_on(stand_in: StandIn) -> None:
     """The pilot's mode is undone after two seconds."""
-    autopilot = stand_in.autopilot
-    if autopilot.mode == "LOITER" and "undone" not in autopilot._timers:
-        autopilot.at("undone", stand_in.now + 2.0, lambda now: autopilot._set_mode(3, now))
+    autopilot, crew = stand_in.autopilot, CREWS[stand_in.name]
+    if stand_in.mode == crew.takes and "undone" not in autopilot._timers:
+        plan = "MISSION" if "MISSION" in crew.modes else "AUTO"
+        autopilot.at("undone", stand_in.now + 2.0, lambda now: stand_in.set_mode(plan))
 
 
 def keeps_otherwise(message):
@@ -95,23 +117,36 @@ def keeps_otherwise(message):
     return None
 
 
-FOUND = [
-    ("nothing is lost", {"hears": shifted}, "Accepted, and the plan is not aboard"),
-    ("nothing is lost", {"defect": cut_short}, "Accepted, and the plan is not aboard"),
+NOT_ABOARD = "Accepted, and the plan is not aboard"
+BOTH = [
     ("StartMission, a pilot lands", {"defect": arms_again}, "it was armed again behind it"),
-    ("StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['AUTO'"),
-    (trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "right behind Accepted: Item("),
+    ("StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['"),
+]
+FOUND = [
+    ("arducopter", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
+    ("arducopter", "nothing is lost", {"defect": cut_short}, NOT_ABOARD),
+    (
+        "px4",
+        "nothing is lost",
+        {"hears": shifted},
+        "Accepted was expected",
+    ),  # its checksum of the plan tells the library
+    ("px4", "nothing is lost", {"defect": cut_short}, NOT_ABOARD),
+    ("arducopter", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "right behind Accepted: Item("),
+    ("px4", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "OtherPlanAboard right behind the upload of Item("),
+    ("ardurover", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
+    *((vehicle, *one) for vehicle in ("arducopter", "px4", "ardurover") for one in BOTH),
 ]
 
 
-@pytest.mark.parametrize(("name", "defect", "words"), FOUND, ids=lambda one: one if isinstance(one, str) else "")
-def test_planted_defect_is_named_in_the_report(tmp_path, name, defect, words):
-    outcome = played(tmp_path, name, **defect)
+@pytest.mark.parametrize(("vehicle", "name", "defect", "words"), FOUND)
+def test_planted_defect_is_named_in_the_report(tmp_path, vehicle, name, defect, words):
+    outcome = played(tmp_path, name, vehicle, **defect)
     assert any(words in one for one in outcome.contradictions), outcome
-    assert re.fullmatch(r"arducopter \d+\.\d+\.\d+ \(.*\)", outcome.version)
+    assert re.fullmatch(rf"{vehicle} \d+\.\d+\.\d+ \(.*\)", outcome.version)
     text = report("2026-01-02", [outcome])
     line = next(one for one in text.splitlines() if one.startswith("- ") and words in one)
-    assert f"- arducopter: {name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
+    assert f"- {vehicle}: {name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
     assert text.rstrip().splitlines()[-1] == f"| {outcome.version} | 2026-01-02 | {outcome.kind} 1 | 1 |"
 
 

@@ -21,6 +21,8 @@ from trial_names import PRINTED, Flown
 
 from .scenarios import Result, placed
 
+HEARTBEAT_S = 1.2
+
 
 class Crew(NamedTuple):
     """How a person flies a vehicle: the names of modes."""
@@ -29,6 +31,7 @@ class Crew(NamedTuple):
     takes: str = "LOITER"  # the mode of a pilot who takes over
     lands: str | None = "LAND"  # None: it drives
     returns: str = "RTL"
+    shows_s: float = 0.3  # what leaves within this time of a person's order cannot have known of it
 
 
 CREWS = {
@@ -36,7 +39,7 @@ CREWS = {
     "ardurover": Crew(VEHICLES["rover"].modes, "HOLD", None),
     "px4": Crew({"TAKEOFF": custom_mode(4, 2), "HOLD": custom_mode(4, 3), "MISSION": custom_mode(4, 4),
                  "RTL": custom_mode(4, 5), "LAND": custom_mode(4, 6), "POSITION": custom_mode(3),
-                 "OFFBOARD": custom_mode(6)}, "POSITION"),
+                 "OFFBOARD": custom_mode(6)}, "POSITION", shows_s=HEARTBEAT_S),
 }  # fmt: skip
 PLANNED = ("StartMission", "StartButton", "WorkAtWaypoints", "NextWaypoint")
 LANDINGS = {"NextWaypoint": 2}
@@ -48,8 +51,6 @@ ORDERS = {"SET_MODE", "MISSION_COUNT", "MISSION_SET_CURRENT", "MISSION_CLEAR_ALL
 QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL}
 STATES = ("idle", "preparing", "not ready", "flying", "at the stop", "landed", "ended")
 ARMS_S, ENDS_S, PRINTS_S, PERSON_S, SILENT_S = 120.0, 400.0, 90.0, 45.0, 30.0
-SHOWS_S = 0.3  # what leaves within this time of a person's order cannot have known of it
-HEARTBEAT_S = 1.2
 FAULT_S = 12.0  # within which a sketch has noticed what befell it
 MOVED_M, HIGH_M = 2.0, 4.0  # it is under way, and as high as each flight goes
 STALL = "fieldStallMs"  # of the sketches that are flown
@@ -155,7 +156,7 @@ class Flight:
         else:
             self.behind_a_fault()
         for time, _ in self.said("landed"):
-            state = [armed for at, _, armed in truth.modes if at <= time + SHOWS_S]
+            state = [armed for at, _, armed in truth.modes if at <= time + self.crew.shows_s]
             if state and state[-1]:
                 self.wrong(f"'landed' at {time - self.began:.1f} s, and it is armed")
         self.result.status = self.last_state
@@ -176,6 +177,8 @@ class Flight:
 
     def judge_end(self) -> None:
         """Of a flight to its end."""
+        if self.lost_its_targets():
+            return self.bring_down()
         if self.last_state != "landed":
             self.wrong(f"nobody was there, and the console's last state is {self.last_state!r}")
         if self.truth.armed:
@@ -187,6 +190,15 @@ class Flight:
         if self.flown.example in PLANNED:
             judge_aboard(self.world, self.result)
         self.result.notes.append(f"as high as {self.top:.1f} m")
+
+    def lost_its_targets(self) -> bool:
+        """PX4 returns when of the targets for OFFBOARD too many are lost; the sketch has to say so."""
+        lost = self.flown.befalls == "3 % of bytes" and self.last_state.startswith("ended by a failsafe")
+        modes = [mode for _, mode, _ in self.truth.modes]
+        way = [self.crew.modes.get("OFFBOARD"), self.crew.modes[self.crew.returns]]
+        if is_so := lost and way in [modes[at : at + 2] for at in range(len(modes))]:
+            self.result.notes.append("so many targets were lost that it returned")
+        return is_so
 
     def is_under_way(self) -> bool:
         return self.truth.armed and (self.truth.height if self.crew.lands else self.truth.moved) > MOVED_M
@@ -258,13 +270,13 @@ class Flight:
 
     def judge_kept(self, at: float, mine: set[int]) -> None:
         """Nothing of the sketch's behind this time."""
-        if orders := self.orders(at + SHOWS_S):
+        if orders := self.orders(at + self.crew.shows_s):
             self.wrong(f"it sent {len(orders)} orders behind it, the first {orders[0]}")
         names = {number: name for name, number in self.crew.modes.items()}
         # Of a mode that comes with the disarming, the autopilot is the author.
         others = [(time, names.get(mode, str(mode)))
                   for time, mode, armed in self.changes(at) if armed and mode not in mine]  # fmt: skip
-        if late := [name for time, name in others if time > at + SHOWS_S]:
+        if late := [name for time, name in others if time > at + self.crew.shows_s]:
             self.wrong(f"other modes came behind it: {late}")
         elif others:
             self.result.notes.append(f"{others[0][1]} came {others[0][0] - at:.2f} s behind it, by an order on its way")
@@ -284,7 +296,8 @@ class Flight:
                 self.wrong(f"it sent {len(orders)} orders behind the reset, the first {orders[0]}")
             if self.armed_again(at):
                 self.wrong("it was armed again behind the reset")
-            if self.truth.armed and self.flown.example in PLANNED and self.flown.example != "WorkAtWaypoints":
+            flies_on = self.flown.example in PLANNED and self.flown.example != "WorkAtWaypoints" and self.crew.lands
+            if self.truth.armed and flies_on:
                 self.wrong("the plan was not flown to its end behind the reset")
             self.bring_down()
             return

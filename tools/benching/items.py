@@ -65,6 +65,8 @@ def play_items(talk: Any, holder: Any, chance: random.Random, result: Result, ro
         messages = [entry.message for entry in talk.wire.entries[before:] if entry.direction == ">" and entry.message]
         sent = [one for one in messages if one.get_type() == "MISSION_ITEM_INT" and one.seq == seq]
         if uploaded != "Accepted":
+            if uploaded == "OtherPlanAboard":  # PX4's checksum of the plan says so
+                result.wrong.append(f"{uploaded} right behind the upload of {item}")
             if sent:
                 rows.append(Row(Item.of(sent[-1]), uploaded, None))
             continue

@@ -45,9 +45,7 @@ def report(day: str, outcomes: Sequence[Outcome]) -> str:
     lines += ["", "## Every trial", "", "| | trial | seed | ended | s | notes |", "|---|---|---|---|---|---|"]
     for one in trials:
         notes = f"{len(one.notes)} items" if one.kind == "random items" else "; ".join(one.notes).replace("|", "/")
-        lines.append(
-            f"| {one.vehicle} | {one.name} | {one.seed} | {one.status} | {one.simulated_s:.0f} | {notes} |"
-        )
+        lines.append(f"| {one.vehicle} | {one.name} | {one.seed} | {one.status} | {one.simulated_s:.0f} | {notes} |")
     lines += ["", "For the table of docs/autopilots.md:", ""]
     lines += [line_of_autopilots(one, day, outcomes) for one in versions]
     return "\n".join([*lines, ""])

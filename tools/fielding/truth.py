@@ -10,19 +10,15 @@ from typing import Any
 from benching.scenarios import placed
 from simulation.fake_autopilot import Item, mavlink
 
+from .simulator import HOME
+
 ADDRESS = (255, mavlink.MAV_COMP_ID_MISSIONPLANNER)
 ARMED = mavlink.MAV_MODE_FLAG_SAFETY_ARMED
 FORCED = 21196  # arm or disarm, whatever the checks say
 ANSWERS_S = 1.0
-ASKED_FOR = {
-    0: 20_000,
-    1: 500_000,
-    24: 500_000,
-    33: 100_000,
-    242: 1_000_000,
-    245: 100_000,
-}  # [us] between two of these messages
+ASKED_FOR = {0: 20_000, 1: 500_000, 24: 500_000, 33: 100_000, 245: 100_000}  # [us] between two of these messages
 REPEATS = 30
+METRES_OF_DEGREE = 111_320.0
 
 
 def _is_item(kind: int, seq: int, one: Any) -> bool:
@@ -110,8 +106,8 @@ class Truth:
     @property
     def moved(self) -> float:
         """[m from home], level"""
-        told, home = map(self.latest.get, ("GLOBAL_POSITION_INT", "HOME_POSITION"))
-        return math.hypot(told.lat - home.latitude, told.lon - home.longitude) / 90 if told and home else 0.0
+        told = self.latest.get("GLOBAL_POSITION_INT")
+        return math.hypot(told.lat / 1e7 - HOME[0], told.lon / 1e7 - HOME[1]) * METRES_OF_DEGREE if told else 0.0
 
     def received(self, mission_type: int = 0) -> list[Item]:
         """The items aboard, read by their own transfer."""
