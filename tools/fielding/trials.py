@@ -12,14 +12,14 @@ import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from benching.flights import Flight, firmware, play_printed
 from benching.items import Row, fakes_differ, keep_rows, play_items
-from benching.scenarios import GRIDDED, SCENARIOS, SIMULATED, Result, Scenario, perform
+from benching.scenarios import GRIDDED, SCENARIOS, SIMULATED, Result, perform
 from benching.sketch import SOURCE
 from simulation.firmware import build_firmware
-from trial_names import FLIGHTS, PRINTED, RANDOM_ITEMS, Flown, is_for
+from trial_names import FLIGHTS, PRINTED, RANDOM_ITEMS, is_for
 
 from .simulator import Simulator
 from .world import World
@@ -30,26 +30,11 @@ PERCENT = 3.0
 RESULTS = "trials.jsonl"
 
 
-@dataclass
-class Trial:
-    """One row, for a vehicle."""
-
-    row: Scenario | Flown | str
+class Trial(NamedTuple):
+    name: str
+    kind: str
+    row: Any  # of the table
     vehicle: str
-
-    @property
-    def name(self) -> str:
-        if isinstance(self.row, str):
-            return f"example {self.row}" if self.row in PRINTED else self.row
-        return self.row.name
-
-    @property
-    def kind(self) -> str:
-        if isinstance(self.row, Flown):
-            return "flights"
-        if isinstance(self.row, Scenario):
-            return "uploads"
-        return "examples" if self.row in PRINTED else "random items"
 
     @property
     def to_fly(self) -> bool:
@@ -82,9 +67,12 @@ class Outcome:
 
 def table(vehicle: str = "arducopter") -> list[Trial]:
     """Every trial of it, in the order of simulator_names()."""
-    rows: list[Any] = [row for row in SCENARIOS if row.is_for != "board"]
-    rows += [*SIMULATED, *GRIDDED, RANDOM_ITEMS, *PRINTED, *FLIGHTS]
-    return [Trial(row, vehicle) for row in rows if is_for(vehicle, row)]
+    uploads = [*(one for one in SCENARIOS if one.is_for != "board"), *SIMULATED, *GRIDDED]
+    rows: list[tuple[str, str, Any]] = [(one.name, "uploads", one) for one in uploads]
+    rows += [(RANDOM_ITEMS, "random items", None)]
+    rows += [(f"example {one}", "examples", one) for one in PRINTED]
+    rows += [(one.name, "flights", one) for one in FLIGHTS]
+    return [Trial(*row, vehicle) for row in rows if is_for(vehicle, row[2])]
 
 
 class Kept:
@@ -158,20 +146,21 @@ class Runner:
     @staticmethod
     def _play(world: World, trial: Trial, result: Result, chance: random.Random) -> list[Row]:
         row = trial.row
-        if isinstance(row, Flown):
+        if trial.kind == "flights":
             if row.befalls == "3 % of bytes":
                 world.wire.damage_bytes(lose=PERCENT)
             world.power_on(firmware(row.example))
             Flight(world, row, result, chance).fly()
-        elif isinstance(row, str) and row in PRINTED:
+            return []
+        if trial.kind == "examples":
             world.power_on(firmware(row))
             play_printed(world, row, result)
-        else:
-            if isinstance(row, Scenario):
-                row.prepare(world.wire, world.truth)
-            world.power_on(build_firmware(SOURCE.stem, [SOURCE]))
-            world.run(FOUND_S)
-            if not isinstance(row, Scenario):
-                return play_items(world, world.truth, chance, result, ROUNDS)
-            perform(world, row, world.truth, result, chance)
+            return []
+        if row is not None:
+            row.prepare(world.wire, world.truth)
+        world.power_on(build_firmware(SOURCE.stem, [SOURCE]))
+        world.run(FOUND_S)
+        if row is None:
+            return play_items(world, world.truth, chance, result, ROUNDS)
+        perform(world, row, world.truth, result, chance)
         return []

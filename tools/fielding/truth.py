@@ -7,8 +7,10 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from benching.player import Talk
 from benching.scenarios import placed
 from simulation.fake_autopilot import Item, mavlink
+from simulation.fake_autopilot.items import item_int_message
 
 from .simulator import HOME
 
@@ -18,6 +20,7 @@ FORCED = 21196  # arm or disarm, whatever the checks say
 ANSWERS_S = 1.0
 ASKED_FOR = {0: 20_000, 1: 500_000, 24: 500_000, 33: 100_000, 245: 100_000}  # [us] between two of these messages
 REPEATS = 30
+SHOWS_S = 1.5  # within which heartbeats show what has been ordered
 METRES_OF_DEGREE = 111_320.0
 
 
@@ -25,17 +28,19 @@ def _is_item(kind: int, seq: int, one: Any) -> bool:
     return one.get_type() == "MISSION_ITEM_INT" and (one.mission_type, one.seq) == (kind, seq)
 
 
+def _asks_for_an_item(one: Any) -> bool:
+    return one.get_type() in ("MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK") and one.mission_type == 0
+
+
 class NoTruth(Exception):
     """The simulator does not answer on the truth's port."""
 
 
 class Truth:
-    """`run(seconds)` lets time go on, which `clock()` tells [s]; `write(bytes)` is the port."""
+    """Time goes on in `world`; `write(bytes)` is the port."""
 
-    def __init__(
-        self, run: Callable[[float], None], clock: Callable[[], float], write: Callable[[bytes], None], has_home: bool
-    ) -> None:
-        self._run, self._clock, self._write = run, clock, write
+    def __init__(self, world: Talk, write: Callable[[bytes], None], has_home: bool) -> None:
+        self._world, self._write = world, write
         self.homes = int(has_home)  # so many items of a mission are the autopilot's own: ArduPilot's first is home
         self._mav = mavlink.MAVLink(None, *ADDRESS)
         self._mav.robust_parsing = True
@@ -49,8 +54,8 @@ class Truth:
     # What time brings
 
     def tick(self) -> None:
-        if self._clock() - self._beat_at >= 1.0:
-            self._beat_at = self._clock()
+        if self._world.now - self._beat_at >= 1.0:
+            self._beat_at = self._world.now
             self._say(mavlink.MAVLink_heartbeat_message(mavlink.MAV_TYPE_GCS, 8, 0, 0, 4, 3))
 
     def feed(self, data: bytes) -> None:
@@ -63,9 +68,9 @@ class Truth:
             if name == "HEARTBEAT":
                 now = (message.custom_mode, bool(message.base_mode & ARMED))
                 if not self.modes or self.modes[-1][1:] != now:
-                    self.modes.append((self._clock(), *now))
+                    self.modes.append((self._world.now, *now))
             elif name == "STATUSTEXT":
-                self.texts.append((self._clock(), message.text))
+                self.texts.append((self._world.now, message.text))
 
     def _say(self, message: Any) -> None:
         self._write(message.pack(self._mav))
@@ -76,11 +81,8 @@ class Truth:
         for _ in range(repeats):
             self._inbox.clear()
             self._say(message)
-            until = self._clock() + ANSWERS_S
-            while self._clock() < until:
-                self._run(0.0)
-                if answer := next((one for one in self._inbox if found(one)), None):
-                    return answer
+            if self._world.until(lambda: any(map(found, self._inbox)), ANSWERS_S):
+                return next(filter(found, self._inbox))
         raise NoTruth(f"no answer to {message.get_type()}")
 
     # What it knows
@@ -128,7 +130,7 @@ class Truth:
 
     def version(self) -> str:
         """Such as 4.8.0-dev (531699d6)."""
-        ask = mavlink.MAVLink_command_long_message(1, 1, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 148, 0, 0, 0, 0, 0, 0)
+        ask = mavlink.MAVLink_command_long_message(1, 1, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 148, *[0.0] * 6)
         told = self._asked(ask, lambda one: one.get_type() == "AUTOPILOT_VERSION")
         major, minor, patch, kind = told.flight_sw_version.to_bytes(4, "big")
         release = {0: "-dev", 64: "-alpha", 128: "-beta", 192: "-rc", 255: ""}.get(kind, f"-{kind}")
@@ -148,13 +150,9 @@ class Truth:
         for identity, us in ASKED_FOR.items():
             self.command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, identity, us)
 
-    def arm(self, on: bool, forced: bool = True) -> int:
-        result = self.command(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, float(on), FORCED if forced else 0)
-        for _ in range(600):
-            if self.armed == on:
-                break
-            self._run(0.0)
-        return result
+    def arm(self, on: bool) -> None:
+        self.command(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, float(on), FORCED)
+        self._world.until(lambda: self.armed == on, SHOWS_S)
 
     def set_mode(self, number: int) -> None:
         px4s = (number >> 16 & 0xFF, number >> 24)  # its main mode, and its part
@@ -162,20 +160,10 @@ class Truth:
 
     def upload_beside(self, items: Sequence[Item]) -> int:
         """A plan of its own, as a second station would; the MAV_MISSION_RESULT."""
-
-        def asks(one: Any) -> bool:
-            return one.get_type() in ("MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK") and one.mission_type == 0
-
         plan = [*items[: self.homes], *items]  # home first
         message = mavlink.MAVLink_mission_count_message(1, 1, len(plan), 0)
-        while True:
-            answer = self._asked(message, asks)
-            if answer.get_type() == "MISSION_ACK":
-                break
-            one = plan[answer.seq]
-            message = mavlink.MAVLink_mission_item_int_message(
-                1, 1, answer.seq, one.frame, one.command, 0, 1, one.param1, one.param2, one.param3, one.param4,
-                int(one.x), int(one.y), one.z, 0)  # fmt: skip
+        while (answer := self._asked(message, _asks_for_an_item)).get_type() != "MISSION_ACK":
+            message = item_int_message(plan[answer.seq], (1, 1), answer.seq)
         if answer.type == mavlink.MAV_MISSION_ACCEPTED:
             self.placed_beside = placed(items)
         return answer.type

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from benching.player import Talk
-from simulation.fake_autopilot.frames import FrameSplitter
+from simulation import recordings
 from simulation.mega import Mega
 from simulation.wire import Wire
 
@@ -18,11 +18,6 @@ BOOTS_S = 60.0
 FIT_S = 150.0
 SENSORS_FIT = 1 << 28  # of SYS_STATUS: what would keep it from arming
 CONSOLE, TELEM = 0, 1
-
-
-def is_anothers(frame: bytes) -> bool:
-    """Whether a MAVLink 2 frame was sent by another system than the autopilot's."""
-    return frame[0] == 0xFD and len(frame) > 5 and frame[5] != 1
 
 
 class NotReady(Exception):
@@ -36,7 +31,7 @@ class World(Talk):
         super().__init__()
         self.simulator = simulator
         self.wire = Wire(seed)
-        self.truth = Truth(self._run_on, lambda: self.now, simulator.truth.write, simulator.firmware == "ArduPilot")
+        self.truth = Truth(self, simulator.truth.write, simulator.firmware == "ArduPilot")
         self.mega: Mega | None = None
         self.said: list[tuple[float, str]] = []  # (s, line)
         self.crossed: list[tuple[float, str, bytes]] = []  # as in simulation/recordings
@@ -46,10 +41,6 @@ class World(Talk):
     @property
     def now(self) -> float:
         return self.simulator.now
-
-    def _run_on(self, seconds: float) -> None:
-        """At least one slice."""
-        self.run(max(seconds, self.simulator.slice_s))
 
     def begin(self, to_fly: bool) -> None:
         """Until the simulator speaks, or until it could be armed."""
@@ -114,22 +105,8 @@ class World(Talk):
         self.said += [(to, line) for line in self.lines[before:]]
 
     def recording(self) -> str:
-        """In the form of simulation/recordings: of a line that damages nothing and takes no time, two marks will do."""
-        marks = (">", ">>", "<<", "<") if self.is_disturbed else (">", "<")
-        splitter, lines = FrameSplitter(), []
-        for time, mark, data in self.crossed:
-            if (
-                mark == "<" and not self.is_disturbed
-            ):  # what the truth says goes by the autopilot, and is none of its own
-                data = b"".join(piece for piece, _ in splitter.feed(data) if not is_anothers(piece))
-            if data and mark in marks and time >= self._born:
-                lines.append(f"{time - self._born:.4f} {mark} {data.hex()}\n")
-        return "".join(lines)
-
-    @property
-    def is_disturbed(self) -> bool:
-        both = {mark: b"".join(data for _, one, data in self.crossed if one == mark) for mark in (">", ">>", "<", "<<")}
-        return both[">"] != both[">>"] or not both["<<"].endswith(both["<"])
+        born = self._born
+        return recordings.written([(time - born, mark, data) for time, mark, data in self.crossed if time >= born])
 
     def close(self) -> None:
         self.simulator.close()
