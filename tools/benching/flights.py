@@ -21,7 +21,7 @@ from trial_names import PRINTED, Flown
 
 from .scenarios import Result, placed
 
-HEARTBEAT_S = 1.2
+HEARTBEAT_S = 1.2  # so late a state may be shown
 
 
 class Crew(NamedTuple):
@@ -156,7 +156,7 @@ class Flight:
         else:
             self.behind_a_fault()
         for time, _ in self.said("landed"):
-            state = [armed for at, _, armed in truth.modes if at <= time + self.crew.shows_s]
+            state = [armed for at, _, armed in truth.modes if at <= time + HEARTBEAT_S]
             if state and state[-1]:
                 self.wrong(f"'landed' at {time - self.began:.1f} s, and it is armed")
         self.result.status = self.last_state

@@ -57,30 +57,23 @@ class Px4(Simulator):
     def start(self, binary: Path) -> None:
         server = socket.create_server(("127.0.0.1", 0))
         number = server.getsockname()[1]  # of the instance: no other has it
-        ends, ports = [], []
-        for _ in range(2):
+        pieces = {"simulator": "".join(f"param set {name} {value}\n" for name, value in PARAMETERS.items())
+                  + f"simulator_mavlink start -c {number}\n", "mavlink": ""}  # fmt: skip
+        ends = []
+        for way in (f"onboard -r {LINE_RATE}", "custom -r 100000"):
             ends.append(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
             ends[-1].bind(("127.0.0.1", 0))
-            ports.append(free_port(socket.SOCK_DGRAM))
-            ends[-1].connect(("127.0.0.1", ports[-1]))
+            ends[-1].connect(("127.0.0.1", port := free_port(socket.SOCK_DGRAM)))
+            ours = ends[-1].getsockname()[1]
+            pieces["mavlink"] += f"mavlink start -x -u {port} -o {ours} -t 127.0.0.1 -m {way}\n"
         self.line, self.truth = map(Port, ends)
-        ways = zip(ports, ends, (f"onboard -r {LINE_RATE}", "custom -r 100000"), strict=True)
-        pieces = self.folder / "pieces"
-        pieces.mkdir()
-        (pieces / "px4-rc.simulator").write_text(
-            "".join(f"param set {name} {value}\n" for name, value in PARAMETERS.items())
-            + f"simulator_mavlink start -c {number}\n")  # fmt: skip
-        (pieces / "px4-rc.mavlink").write_text(
-            "".join(
-                f"mavlink start -x -u {port} -o {end.getsockname()[1]} -t 127.0.0.1 -m {way}\n"
-                for port, end, way in ways
-            )
-        )
+        for name, text in pieces.items():
+            (self.folder / f"px4-rc.{name}").write_text(text)
         self._random, self._steps, self._is_up = random.Random(1), 0, False
         self._pulses: tuple[int, ...] = (1000,) * 4
         self._mav = mavlink.MAVLink(None, 255, mavlink.MAV_COMP_ID_MISSIONPLANNER)
         self.run([binary, "-d", "-i", str(number), "-w", self.folder, binary.parents[1] / "etc"],
-                 PX4_SIM_MODEL="none_iris", PATH=f"{pieces}:{os.environ['PATH']}")  # fmt: skip
+                 PX4_SIM_MODEL="none_iris", PATH=f"{self.folder}:{os.environ['PATH']}")  # fmt: skip
         server.settimeout(0.5)
         with server:
             self._physics: socket.socket = self.awaited(lambda: self._accepted(server))

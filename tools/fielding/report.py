@@ -31,11 +31,10 @@ def report(day: str, outcomes: Sequence[Outcome]) -> str:
                 f"| {kind} | {len(own)} | {sum(bool(one.contradictions) for one in own)} | {minutes:.0f} min |"
             )
     lines += ["", "## Contradictions", ""]
-    for one in against:
-        for words in one.contradictions:
-            lines.append(f"- {one.vehicle}: {one.name}, seed {one.seed}: {words} (`{one.frames}`)")
-    if not against:
-        lines.append("None.")
+    told = ((one, words) for one in against for words in one.contradictions)
+    lines += [f"- {one.vehicle}: {one.name}, seed {one.seed}: {words} (`{one.frames}`)" for one, words in told] or [
+        "None."
+    ]
     if broken:
         lines += ["", "## Trials that came to nothing", ""]
         lines += [f"- {one.vehicle}: {one.name}, seed {one.seed}: {one.broke}" for one in broken]
