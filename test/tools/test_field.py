@@ -17,7 +17,7 @@ from building import ROOT
 from fielding import Kept, Outcome, Runner, report, table
 from fielding.ardupilot import sensors
 from fielding.trials import RESULTS
-from fielding.vehicles import GRAVITY, Copter
+from fielding.vehicles import GRAVITY, Copter, Rover
 from simulation import recordings
 from simulation.fake_autopilot import Item, mavlink
 from simulation.fake_autopilot.px4_missions import State
@@ -223,6 +223,19 @@ def test_copter_stands_climbs_and_tilts_as_its_motors_say():
         copter.step((1300, 1500, 1500, 1300), 0.00125)  # the left ones turn faster: it rolls to the right
     assert copter.turning[0] > 0.1 and copter.position[1] >= 0.0
     assert sensors(copter).startswith('"timestamp":1.225')
+
+
+def test_rover_drives_and_turns_as_its_servos_say():
+    rover = Rover()
+    for _ in range(800):
+        rover.step((1500, 0, 1500), 0.00125)
+    assert rover.position == [0.0] * 3 and rover.force == [0.0, 0.0, -GRAVITY]
+    for _ in range(1600):
+        rover.step((1500, 0, 1750), 0.00125)
+    assert rover.velocity[0] == pytest.approx(3.0, abs=0.2) and rover.position[1] == 0.0
+    for _ in range(800):
+        rover.step((2000, 0, 1750), 0.00125)  # to the right: the force that holds it on its curve comes from there
+    assert rover.turning[2] > 0.8 and rover.velocity[1] > 1.0 and rover.force[1] > 2.0
 
 
 def binary(file, text: str):

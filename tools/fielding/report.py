@@ -31,10 +31,8 @@ def report(day: str, outcomes: Sequence[Outcome]) -> str:
                 f"| {kind} | {len(own)} | {sum(bool(one.contradictions) for one in own)} | {minutes:.0f} min |"
             )
     lines += ["", "## Contradictions", ""]
-    told = ((one, words) for one in against for words in one.contradictions)
-    lines += [f"- {one.vehicle}: {one.name}, seed {one.seed}: {words} (`{one.frames}`)" for one, words in told] or [
-        "None."
-    ]
+    told = ((f"{one.vehicle}: {one.name}, seed {one.seed}", one) for one in against)
+    lines += [f"- {name}: {words} (`{one.frames}`)" for name, one in told for words in one.contradictions] or ["None."]
     if broken:
         lines += ["", "## Trials that came to nothing", ""]
         lines += [f"- {one.vehicle}: {one.name}, seed {one.seed}: {one.broke}" for one in broken]
