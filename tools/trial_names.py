@@ -60,9 +60,9 @@ BEFALLS = ("undisturbed", "3 % of bytes", "a pilot lands", "a pilot disarms", "a
 FLIGHTS = tuple(Flown(example, befalls) for befalls in BEFALLS for example in FLYING)
 
 
-# What is flown of which vehicle, and which examples are not for it.
+# What is flown of which vehicle, and which examples are not for it: a plane does not keep the plan of its two.
 VEHICLES: dict[str, tuple[str, ...]] = {"arducopter": FLYING, "px4": FLYING, "ardurover": FLYING[:4], "arduplane": ()}
-NOT_FOR = {"px4": ("UploadByFile", "CheckParameters")}
+NOT_FOR = {"px4": ("UploadByFile", "CheckParameters"), "arduplane": ("VerifyUpload", "UploadByFile")}
 
 
 def board_names() -> list[str]:

@@ -57,8 +57,11 @@ class Px4(Simulator):
     def start(self, binary: Path) -> None:
         server = socket.create_server(("127.0.0.1", 0))
         number = server.getsockname()[1]  # of the instance: no other has it
-        pieces = {"simulator": "".join(f"param set {name} {value}\n" for name, value in PARAMETERS.items())
-                  + f"simulator_mavlink start -c {number}\n", "mavlink": ""}  # fmt: skip
+        pieces = {
+            "simulator": "".join(f"param set {name} {value}\n" for name, value in PARAMETERS.items())
+            + f"simulator_mavlink start -c {number}\n",
+            "mavlink": "alias replay=true\n",
+        }  # nothing is to be replayed, and a build may not have it; fmt: skip
         ends = []
         for way in (f"onboard -r {LINE_RATE}", "custom -r 100000"):
             ends.append(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
