@@ -170,7 +170,10 @@ class Flight:
 
         def is_over() -> bool:
             wanted = LANDINGS.get(self.flown.example, 1)
-            return not truth.armed and (self.landings() >= wanted or self.last_state.startswith("ended"))
+            ended = self.said("ended")
+            if ended and world.now - ended[-1][0] > PERSON_S:
+                return True  # it stays in the air
+            return not truth.armed and (self.landings() >= wanted or bool(ended))
 
         world.until(is_over, limit_s)
         world.run(10.0)
@@ -225,6 +228,9 @@ class Flight:
             if not truth.armed:
                 self.result.notes.append("it was over before the person came")
                 return
+            if self.said("ended"):
+                self.wrong(f"nobody was there yet, and the console says {self.last_state!r}")
+                return self.bring_down()
             goes_on = world.now
             if befalls == "a pilot comes while loop() stands still":
                 goes_on = self.stand_still()

@@ -57,21 +57,19 @@ class Px4(Simulator):
     def start(self, binary: Path) -> None:
         server = socket.create_server(("127.0.0.1", 0))
         number = server.getsockname()[1]  # of the instance: no other has it
-        pieces = {
-            "simulator": "".join(f"param set {name} {value}\n" for name, value in PARAMETERS.items())
-            + f"simulator_mavlink start -c {number}\n",
-            "mavlink": "alias replay=true\n",
-        }  # nothing is to be replayed, and a build may not have it; fmt: skip
+        begin = [*(f"param set {name} {value}" for name, value in PARAMETERS.items()),
+                 f"simulator_mavlink start -c {number}"]  # fmt: skip
+        links = ["alias replay=true"]  # nothing is to be replayed, and a build may not have it
         ends = []
         for way in (f"onboard -r {LINE_RATE}", "custom -r 100000"):
             ends.append(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
             ends[-1].bind(("127.0.0.1", 0))
             ends[-1].connect(("127.0.0.1", port := free_port(socket.SOCK_DGRAM)))
             ours = ends[-1].getsockname()[1]
-            pieces["mavlink"] += f"mavlink start -x -u {port} -o {ours} -t 127.0.0.1 -m {way}\n"
+            links.append(f"mavlink start -x -u {port} -o {ours} -t 127.0.0.1 -m {way}")
         self.line, self.truth = map(Port, ends)
-        for name, text in pieces.items():
-            (self.folder / f"px4-rc.{name}").write_text(text)
+        for name, lines in (("simulator", begin), ("mavlink", links)):
+            (self.folder / f"px4-rc.{name}").write_text("\n".join([*lines, ""]))
         self._random, self._steps, self._is_up = random.Random(1), 0, False
         self._pulses: tuple[int, ...] = (1000,) * 4
         self._mav = mavlink.MAVLink(None, 255, mavlink.MAV_COMP_ID_MISSIONPLANNER)
