@@ -48,7 +48,7 @@ PRINTED = {
     "FenceAndRally": "rally: aboard, as it was meant",
     "UploadByFile": "accepted: the plan is aboard",
     "LinkDoctor": "all is well",
-    "ReadTelemetry": "-3536326",
+    "ReadTelemetry": "-353632",
     "FitLight": "fit: all is well",
     "CheckParameters": "MIS_RESTART: 1.00 done: the autopilot confirmed it",
 }
@@ -60,11 +60,24 @@ BEFALLS = ("undisturbed", "3 % of bytes", "a pilot lands", "a pilot disarms", "a
 FLIGHTS = tuple(Flown(example, befalls) for befalls in BEFALLS for example in FLYING)
 
 
+# What is flown of which vehicle, and which examples are not for it: a plane does not keep the plan of its two.
+VEHICLES: dict[str, tuple[str, ...]] = {"arducopter": FLYING, "px4": FLYING, "ardurover": FLYING[:4], "arduplane": ()}
+NOT_FOR = {"px4": ("UploadByFile", "CheckParameters"), "arduplane": ("VerifyUpload", "UploadByFile")}
+
+
 def board_names() -> list[str]:
     return [name for name, _ in _ROW.findall(SCENARIOS.read_text().partition(SIMULATED)[0])]
 
 
-def simulator_names() -> list[str]:
+def is_for(vehicle: str, row: object) -> bool:
+    """Whether this row of the table is played to it."""
+    if isinstance(row, Flown):
+        return row.example in VEHICLES[vehicle]
+    return row not in NOT_FOR.get(vehicle, ())
+
+
+def simulator_names(vehicle: str = "arducopter") -> list[str]:
     rows = [name for name, rest in _ROW.findall(SCENARIOS.read_text()) if 'is_for="board"' not in rest]
-    examples = [f"example {name}" for name in PRINTED]
-    return [*rows, *(one.name for one in GRID), RANDOM_ITEMS, *examples, *(one.name for one in FLIGHTS)]
+    examples = [f"example {name}" for name in PRINTED if is_for(vehicle, name)]
+    flights = [one.name for one in FLIGHTS if is_for(vehicle, one)]
+    return [*rows, *(one.name for one in GRID), RANDOM_ITEMS, *examples, *flights]

@@ -1,7 +1,7 @@
-"""Reading what real autopilots said (see README.md beside this file)."""
+"""Reading and writing what autopilots said (see README.md beside this file)."""
 import csv
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -153,3 +153,24 @@ def readback(vehicle: str) -> list[dict[str, str]]:
     """The rows of readback_<vehicle>.csv."""
     with open(FOLDER / f"readback_{vehicle}.csv", newline="") as file:
         return list(csv.DictReader(file))
+
+
+def written(crossed: Sequence[tuple[float, str, bytes]]) -> str:
+    """(time [s], mark, bytes) of all that crossed a line, with the four marks of a lossy one, as a recording's text.
+
+    Two marks will do for a line that has damaged nothing; what goes by the autopilot from others is then left out.
+    """
+    whole = {mark: b"".join(data for _, one, data in crossed if one == mark) for mark in (">", ">>", "<", "<<")}
+    is_lossy = whole[">"] != whole[">>"] or not whole["<<"].endswith(whole["<"])
+    splitter, lines = frames.FrameSplitter(), []
+    for time, mark, data in crossed:
+        if mark == "<" and not is_lossy:
+            data = b"".join(piece for piece, _ in splitter.feed(data) if not _is_anothers(piece))
+        if data and (is_lossy or len(mark) == 1):
+            lines.append(f"{time:.4f} {mark} {data.hex()}\n")
+    return "".join(lines)
+
+
+def _is_anothers(frame: bytes) -> bool:
+    """Whether a MAVLink 2 frame was sent by another system than the autopilot's."""
+    return frame[0] == 0xFD and len(frame) > 5 and frame[5] != 1

@@ -51,6 +51,6 @@ while True:
     assert told["timestamp"] > was and len(told["quaternion"]) == 4
     was = told["timestamp"]
     fake.advance(was)
-    fake.truth_write(exchange(0, fake.truth_read()))
-    fake.line_write(exchange(1, fake.line_read()))
+    fake.truth.write(exchange(0, fake.truth.read()))
+    fake.line.write(exchange(1, fake.line.read()))
     frame += 1

@@ -10,21 +10,24 @@ import sys
 import pytest
 
 import trial_names
-from benching.items import Row
+from benching.flights import CREWS
+from benching.items import Row, fakes_differ
 from benching.scenarios import SCENARIOS
 from building import ROOT
 from fielding import Kept, Outcome, Runner, report, table
-from fielding.trials import RESULTS, fakes_differ
-from fielding.vehicles import GRAVITY, Copter
+from fielding.ardupilot import sensors
+from fielding.trials import RESULTS
+from fielding.vehicles import GRAVITY, Copter, Rover
 from simulation import recordings
 from simulation.fake_autopilot import Item, mavlink
+from simulation.fake_autopilot.px4_missions import State
 from stand_in import StandIn, started
 
-TRIALS = {one.name: one for one in table()}
+TRIALS = {(vehicle, one.name): one for vehicle in trial_names.VEHICLES for one in table(vehicle)}
 
 
-def played(folder, name: str, seed: int = 1, **defects) -> Outcome:
-    ((outcome, _, _),) = Runner(started(**defects), Kept(folder)).run([TRIALS[name]], [seed], None)
+def played(folder, name: str, vehicle: str = "arducopter", **defects) -> Outcome:
+    ((outcome, _, _),) = Runner(started(**defects), Kept(folder)).run([TRIALS[vehicle, name]], [1], None)
     assert outcome.broke == ""
     return outcome
 
@@ -32,10 +35,14 @@ def played(folder, name: str, seed: int = 1, **defects) -> Outcome:
 def test_table_is_the_one_that_is_listed():
     assert [one.name for one in table()] == trial_names.simulator_names()
     assert [one.name for one in SCENARIOS] == trial_names.board_names()
-    assert len(TRIALS) == len(table())
+    assert len({one.name for one in table()}) == len(table())
+    for vehicle in trial_names.VEHICLES:
+        assert [one.name for one in table(vehicle)] == trial_names.simulator_names(vehicle)
 
 
-GOOD = ("the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
+GOOD = {
+    "arducopter": (
+        "the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
         "one operation right behind another", "cancelled, and another right behind it, each way takes 150 ms",
         "loop() stands still for 3 s in an upload", "the cable is out for 12 s, and an upload follows",
         "the board is reset, and uploads again", "a second station uploads meanwhile",
@@ -43,13 +50,24 @@ GOOD = ("the count is lost", "2 of 1000 bytes are lost or altered", "the autopil
         "example UploadMission", "example FenceAndRally", "example ReadTelemetry", "StartMission, undisturbed",
         "StartButton, a pilot lands", "StartMission, a failsafe", "GoToPlaces, a pilot disarms",
         "StartMission, the board is reset", "StartMission, the cable is out",
-        "GoToPlaces, a pilot comes while loop() stands still")  # fmt: skip
+        "GoToPlaces, a pilot comes while loop() stands still"),
+    "px4": (
+        "one operation right behind another", "a second station uploads behind it", trial_names.RANDOM_ITEMS,
+        "example FenceAndRally", "StartMission, undisturbed", "StartMission, a failsafe", "FollowBeacon, a pilot lands",
+        "FlyByButtons, 3 % of bytes"),
+    "ardurover": ("nothing is lost", "StartMission, undisturbed", "StartButton, a pilot lands",
+                  "NextWaypoint, the board is reset"),
+    "arduplane": ("example EnsureMission",),
+}  # fmt: skip
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", GOOD, ids=lambda name: name.replace(" ", "-"))
-def test_library_beside_a_good_autopilot_is_not_contradicted(tmp_path, name):
-    outcome = played(tmp_path, name)
+@pytest.mark.parametrize(
+    ("vehicle", "name"), [(vehicle, name) for vehicle, names in GOOD.items() for name in names],
+    ids=lambda name: name.replace(" ", "-"),
+)  # fmt: skip
+def test_library_beside_a_good_autopilot_is_not_contradicted(tmp_path, vehicle, name):
+    outcome = played(tmp_path, name, vehicle)
     assert (outcome.contradictions, outcome.fakes_differ) == ([], [])
     assert (tmp_path / outcome.frames).stat().st_size > 300
 
@@ -64,24 +82,31 @@ def shifted(message):
 
 def cut_short(stand_in: StandIn) -> None:
     """A plan that has been accepted loses its last items."""
-    missions = stand_in.autopilot.missions[0]
-    if len(missions.held) == 11 and not missions.receiving:
-        del missions.held[8:]
+    missions = stand_in.autopilot.missions
+    if stand_in.name == "px4":
+        held, is_received = missions.held[0], missions.state is State.IDLE
+    else:
+        held, is_received = missions[0].held, not missions[0].receiving
+    if is_received and len(held) >= 10:
+        del held[8:]
 
 
 def arms_again(stand_in: StandIn) -> None:
     """Armed by nobody, five seconds after a person has landed and disarmed it."""
     autopilot = stand_in.autopilot
-    if autopilot.mode == "LAND" and not autopilot.armed:
+    if stand_in.mode in ("LAND", "HOLD") and autopilot.armed:
+        stand_in.has_landed = True
+    if stand_in.has_landed and not autopilot.armed:
+        stand_in.has_landed = False
         autopilot.at("arms again", stand_in.now + 5.0, lambda now: setattr(autopilot, "armed", True))
-        autopilot.mode = "LOITER"
 
 
 def flies_on(stand_in: StandIn) -> None:
     """The pilot's mode is undone after two seconds."""
-    autopilot = stand_in.autopilot
-    if autopilot.mode == "LOITER" and "undone" not in autopilot._timers:
-        autopilot.at("undone", stand_in.now + 2.0, lambda now: autopilot._set_mode(3, now))
+    autopilot, crew = stand_in.autopilot, CREWS[stand_in.name]
+    if stand_in.mode == crew.takes and "undone" not in autopilot._timers:
+        plan = "MISSION" if "MISSION" in crew.modes else "AUTO"
+        autopilot.at("undone", stand_in.now + 2.0, lambda now: stand_in.set_mode(plan))
 
 
 def keeps_otherwise(message):
@@ -92,28 +117,41 @@ def keeps_otherwise(message):
     return None
 
 
-FOUND = [
-    ("nothing is lost", {"hears": shifted}, "Accepted, and the plan is not aboard"),
-    ("nothing is lost", {"defect": cut_short}, "Accepted, and the plan is not aboard"),
+NOT_ABOARD = "Accepted, and the plan is not aboard"
+BOTH = [
     ("StartMission, a pilot lands", {"defect": arms_again}, "it was armed again behind it"),
-    ("StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['AUTO'"),
-    (trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "right behind Accepted: Item("),
+    ("StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['"),
+]
+FOUND = [
+    ("arducopter", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
+    ("arducopter", "nothing is lost", {"defect": cut_short}, NOT_ABOARD),
+    (
+        "px4",
+        "nothing is lost",
+        {"hears": shifted},
+        "Accepted was expected",
+    ),  # its checksum of the plan tells the library
+    ("px4", "nothing is lost", {"defect": cut_short}, NOT_ABOARD),
+    ("arducopter", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "right behind Accepted: Item("),
+    ("px4", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "OtherPlanAboard right behind the upload of Item("),
+    ("ardurover", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
+    *((vehicle, *one) for vehicle in ("arducopter", "px4", "ardurover") for one in BOTH),
 ]
 
 
-@pytest.mark.parametrize(("name", "defect", "words"), FOUND, ids=lambda one: one if isinstance(one, str) else "")
-def test_planted_defect_is_named_in_the_report(tmp_path, name, defect, words):
-    outcome = played(tmp_path, name, **defect)
+@pytest.mark.parametrize(("vehicle", "name", "defect", "words"), FOUND)
+def test_planted_defect_is_named_in_the_report(tmp_path, vehicle, name, defect, words):
+    outcome = played(tmp_path, name, vehicle, **defect)
     assert any(words in one for one in outcome.contradictions), outcome
-    assert re.fullmatch(r"arducopter \d+\.\d+\.\d+ \(.*\)", outcome.version)
+    assert re.fullmatch(rf"{vehicle} \d+\.\d+\.\d+ \(.*\)", outcome.version)
     text = report("2026-01-02", [outcome])
     line = next(one for one in text.splitlines() if one.startswith("- ") and words in one)
-    assert f"{name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
+    assert f"- {vehicle}: {name}, seed 1: " in line and f"(`{outcome.frames}`)" in line
     assert text.rstrip().splitlines()[-1] == f"| {outcome.version} | 2026-01-02 | {outcome.kind} 1 | 1 |"
 
 
 def test_run_goes_on_where_it_stopped(tmp_path):
-    trials = [TRIALS[name] for name in ("nothing is lost", "the count is lost")]
+    trials = [TRIALS["arducopter", name] for name in ("nothing is lost", "the count is lost")]
     first = list(Runner(started(), Kept(tmp_path)).run(trials[:1], [1], None))
     assert [(one.name, done, total) for one, done, total in first] == [("nothing is lost", 1, 1)]
     runner = Runner(started(), Kept(tmp_path))
@@ -125,19 +163,19 @@ def test_run_goes_on_where_it_stopped(tmp_path):
 def test_no_trial_is_begun_after_its_minutes(tmp_path):
     clock = iter(range(0, 10_000, 40))  # [s]: each look at it takes so long
     runner = Runner(started(), Kept(tmp_path), lambda: next(clock))
-    assert len(list(runner.run([TRIALS["nothing is lost"]], [1, 2, 3, 4, 5], 2.0))) == 1
+    assert len(list(runner.run([TRIALS["arducopter", "nothing is lost"]], [1, 2, 3, 4, 5], 2.0))) == 1
 
 
 def test_simulator_that_breaks_is_told_and_tried_again(tmp_path):
-    def breaks(folder):
+    def breaks(vehicle, folder):
         raise OSError("no such simulator")
 
-    trial = TRIALS["nothing is lost"]
+    trial = TRIALS["arducopter", "nothing is lost"]
     ((outcome, _, _),) = Runner(breaks, Kept(tmp_path)).run([trial], [1], None)
     assert outcome.broke == "OSError: no such simulator"
     text = report("2026-01-02", [outcome])
     assert "0 trials, 0 with a contradiction; 1 came to nothing" in text
-    assert "- nothing is lost, seed 1: OSError: no such simulator" in text
+    assert "- arducopter: nothing is lost, seed 1: OSError: no such simulator" in text
     assert played(tmp_path, trial.name).status == "Accepted"
 
 
@@ -164,10 +202,12 @@ def test_random_items_are_kept_as_the_read_back_files_are(tmp_path):
 
 def test_what_the_fake_keeps_otherwise_is_told():
     waypoint = Item(3, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, -353632621, 1491652374, 20.0)
-    assert list(fakes_differ([Row(waypoint, "Accepted", waypoint)])) == []
-    assert "and by the fake as" in next(fakes_differ([Row(waypoint, "Accepted", waypoint._replace(z=21.0))]))
+    assert list(fakes_differ([Row(waypoint, "Accepted", waypoint)], "arducopter", "")) == []
+    assert "and by the fake as" in next(
+        fakes_differ([Row(waypoint, "Accepted", waypoint._replace(z=21.0))], "arducopter", "")
+    )
     assert "Unsupported, and the fake says MAV_MISSION_ACCEPTED" in next(
-        fakes_differ([Row(waypoint, "Unsupported", None)])
+        fakes_differ([Row(waypoint, "Unsupported", None)], "px4", "px4 1.17.0")
     )
 
 
@@ -182,37 +222,89 @@ def test_copter_stands_climbs_and_tilts_as_its_motors_say():
     for _ in range(80):
         copter.step((1300, 1500, 1500, 1300), 0.00125)  # the left ones turn faster: it rolls to the right
     assert copter.turning[0] > 0.1 and copter.position[1] >= 0.0
-    assert copter.sensors().startswith('"timestamp":1.225')
+    assert sensors(copter).startswith('"timestamp":1.225')
 
 
-def binary(folder, text: str):
-    file = folder / "arducopter"
+def test_rover_drives_and_turns_as_its_servos_say():
+    rover = Rover()
+    for _ in range(800):
+        rover.step((1500, 0, 1500), 0.00125)
+    assert rover.position == [0.0] * 3 and rover.force == [0.0, 0.0, -GRAVITY]
+    for _ in range(1600):
+        rover.step((1500, 0, 1750), 0.00125)
+    assert rover.velocity[0] == pytest.approx(3.0, abs=0.2) and rover.position[1] == 0.0
+    for _ in range(800):
+        rover.step((2000, 0, 1750), 0.00125)  # to the right: the force that holds it on its curve comes from there
+    assert rover.turning[2] > 0.8 and rover.velocity[1] > 1.0 and rover.force[1] > 2.0
+
+
+def binary(file, text: str):
+    file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text)
     file.chmod(0o755)
     return file
 
 
-def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path):
-    stub = binary(tmp_path, f"#!{sys.executable}\nimport sys\nsys.path[:0] = {sys.path!r}\nimport stub_arducopter\n")
-    words = [ROOT / "tools" / "field", "--ardupilot", stub, "--only", "the count is lost", "--out", tmp_path / "out"]
-    ran = subprocess.run(words, capture_output=True, text=True)
-    assert ran.returncode == 0, ran
-    assert "] 1 of 1, 0 left: the count is lost, seed 1: as it must be (" in ran.stdout
-    text = (tmp_path / "out" / "report.md").read_text()
-    assert "\n1 trials, 0 with a contradiction; 0 came to nothing. Clock: in step: our physics hands it" in text
-    assert re.search(r"\n\| arducopter [\d.]+ \(.*\) \| \d{4}-\d\d-\d\d \| uploads 1 \| none \|\n$", text)
-    again = subprocess.run(words, capture_output=True, text=True)
-    assert again.stdout == f"the report: {tmp_path / 'out' / 'report.md'}\n"
-    assert (tmp_path / "out" / "report.md").read_text() == text
+def stub(file):
+    """In the place of the binary of this name."""
+    return binary(file, f"#!{sys.executable}\nimport sys\nsys.path[:0] = {sys.path!r}\nimport stub_{file.name}\n")
 
 
-def test_binary_that_ends_at_once_is_told(tmp_path):
-    ends = binary(tmp_path, "#!/bin/sh\necho I do not fly\nexit 3\n")
+def px4_build(folder, make=stub):
+    """Its folder, as PX4's make leaves it."""
+    make(folder / "bin" / "px4")
+    (folder / "etc" / "init.d-posix").mkdir(parents=True)
+    (folder / "etc" / "init.d-posix" / "rcS").touch()
+    return folder
+
+
+def field(*words, out) -> subprocess.CompletedProcess:
+    return subprocess.run([ROOT / "tools" / "field", *words, "--out", out], capture_output=True, text=True)
+
+
+@pytest.mark.parametrize(
+    ("vehicle", "clock"),
+    [("arducopter", "in step: our physics hands it"), ("px4", "in step: our sensors hand it each moment (lockstep)")],
+)
+def test_tool_is_physics_and_clock_of_a_binary_and_writes_the_report(tmp_path, vehicle, clock):
+    way = ["--px4", px4_build(tmp_path)] if vehicle == "px4" else ["--ardupilot", stub(tmp_path / vehicle)]
     out = tmp_path / "out"
-    words = [ROOT / "tools" / "field", "--ardupilot", tmp_path, "--only", "the count is lost", "--out", out]
-    ran = subprocess.run(words, capture_output=True, text=True)
-    assert ends.exists() and ran.returncode == 1
-    assert "the count is lost, seed 1: Gone: arducopter has ended: I do not fly" in ran.stdout
+    ran = field(*way, "--only", "the count is lost", out=out)
+    assert ran.returncode == 0, ran
+    assert f"] 1 of 1, 0 left: {vehicle}: the count is lost, seed 1: as it must be (" in ran.stdout
+    text = (out / "report.md").read_text()
+    assert f"\n1 trials, 0 with a contradiction; 0 came to nothing. Clock: {clock}" in text
+    assert re.search(rf"\n\| {vehicle} [\d.]+ \(.*\) \| \d{{4}}-\d\d-\d\d \| uploads 1 \| none \|\n$", text)
+    again = field(*way, "--only", "the count is lost", out=out)
+    assert again.stdout == f"the report: {out / 'report.md'}\n"
+    assert (out / "report.md").read_text() == text
+
+
+ENDS = "#!/bin/sh\necho I do not fly\nexit 3\n"
+
+
+def test_binaries_that_end_at_once_are_told(tmp_path):
+    for name in ("arducopter", "ardurover"):
+        binary(tmp_path / "bin" / name, ENDS)
+    px4_build(tmp_path / "px4", lambda file: binary(file, ENDS))
+    ran = field("--ardupilot", tmp_path, "--px4", tmp_path / "px4", "--only", "the count is lost", out=tmp_path / "out")
+    assert ran.returncode == 1
+    for name in ("arducopter", "ardurover", "px4"):
+        assert f"{name}: the count is lost, seed 1: Gone: {name} has ended: I do not fly" in ran.stdout
+
+
+def test_what_is_not_to_be_flown_is_told(tmp_path):
+    def told(*words) -> str:
+        ran = field(*words, out=tmp_path / "out")
+        assert (ran.returncode, ran.stdout) == (1, "")
+        return ran.stderr
+
+    assert f"there is no px4 in {tmp_path}" in told("--px4", tmp_path)
+    assert "is none of arducopter, ardurover, arduplane" in told("--ardupilot", binary(tmp_path / "antenna", ENDS))
+    assert "has no etc/init.d-posix/rcS: was it built" in told("--px4", binary(tmp_path / "bin" / "px4", ENDS))
+    (tmp_path / "arducopter").touch()
+    assert "cannot be run" in told("--ardupilot", tmp_path)
+    assert "no trial has 'nowhere' in its name" in told("--px4", px4_build(tmp_path / "own"), "--only", "nowhere")
 
 
 def test_tool_lists_its_trials():

@@ -10,17 +10,37 @@ import math
 import random
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from building import BUILD, build_sketch
 from examples import example_folder
 from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.px4 import custom_mode
 from simulation.fake_autopilot.vehicles import VEHICLES
 from trial_names import PRINTED, Flown
 
 from .scenarios import Result, placed
 
-MODES = VEHICLES["copter"].modes
+HEARTBEAT_S = 1.2  # so late a state may be shown
+
+
+class Crew(NamedTuple):
+    """How a person flies a vehicle: the names of modes."""
+
+    modes: dict[str, int]  # name -> HEARTBEAT.custom_mode
+    takes: str = "LOITER"  # the mode of a pilot who takes over
+    lands: str | None = "LAND"  # None: it drives
+    returns: str = "RTL"
+    shows_s: float = 0.3  # what leaves within this time of a person's order cannot have known of it
+
+
+CREWS = {
+    "arducopter": Crew(VEHICLES["copter"].modes),
+    "ardurover": Crew(VEHICLES["rover"].modes, "HOLD", None),
+    "px4": Crew({"TAKEOFF": custom_mode(4, 2), "HOLD": custom_mode(4, 3), "MISSION": custom_mode(4, 4),
+                 "RTL": custom_mode(4, 5), "LAND": custom_mode(4, 6), "POSITION": custom_mode(3),
+                 "OFFBOARD": custom_mode(6)}, "POSITION", shows_s=HEARTBEAT_S),
+}  # fmt: skip
 PLANNED = ("StartMission", "StartButton", "WorkAtWaypoints", "NextWaypoint")
 LANDINGS = {"NextWaypoint": 2}
 # The buttons of the examples, as (data register, bit) of the pin on a Mega, from the one that begins the flight.
@@ -31,10 +51,8 @@ ORDERS = {"SET_MODE", "MISSION_COUNT", "MISSION_SET_CURRENT", "MISSION_CLEAR_ALL
 QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL}
 STATES = ("idle", "preparing", "not ready", "flying", "at the stop", "landed", "ended")
 ARMS_S, ENDS_S, PRINTS_S, PERSON_S, SILENT_S = 120.0, 400.0, 90.0, 45.0, 30.0
-SHOWS_S = 0.3  # what leaves within this time of a person's order cannot have known of it
-HEARTBEAT_S = 1.2
 FAULT_S = 12.0  # within which a sketch has noticed what befell it
-RETURNS = "RTL"
+MOVED_M, HIGH_M = 2.0, 4.0  # it is under way, and as high as each flight goes
 STALL = "fieldStallMs"  # of the sketches that are flown
 
 
@@ -58,6 +76,7 @@ def firmware(example: str) -> Path:
 class Flight:
     def __init__(self, world: Any, flown: Flown, result: Result, chance: random.Random) -> None:
         self.world, self.truth, self.flown, self.result, self.chance = world, world.truth, flown, result, chance
+        self.crew = CREWS[world.simulator.name]
         self.pressed: set[int] = set()
         self.top = 0.0
         world.watches.append(self._watch)
@@ -137,7 +156,7 @@ class Flight:
         else:
             self.behind_a_fault()
         for time, _ in self.said("landed"):
-            state = [armed for at, _, armed in truth.modes if at <= time + SHOWS_S]
+            state = [armed for at, _, armed in truth.modes if at <= time + HEARTBEAT_S]
             if state and state[-1]:
                 self.wrong(f"'landed' at {time - self.began:.1f} s, and it is armed")
         self.result.status = self.last_state
@@ -151,35 +170,49 @@ class Flight:
 
         def is_over() -> bool:
             wanted = LANDINGS.get(self.flown.example, 1)
-            return not truth.armed and (self.landings() >= wanted or self.last_state.startswith("ended"))
+            ended = self.said("ended")
+            if ended and world.now - ended[-1][0] > PERSON_S:
+                return True  # it stays in the air
+            return not truth.armed and (self.landings() >= wanted or bool(ended))
 
         world.until(is_over, limit_s)
         world.run(10.0)
 
     def judge_end(self) -> None:
         """Of a flight to its end."""
+        if self.lost_its_targets():
+            return self.bring_down()
         if self.last_state != "landed":
             self.wrong(f"nobody was there, and the console's last state is {self.last_state!r}")
         if self.truth.armed:
             self.wrong("it is armed at the end")
         if (landings := self.landings()) != LANDINGS.get(self.flown.example, 1):
             self.wrong(f"it has landed {landings} times")
-        if self.top < 4.0:
+        if self.top < HIGH_M and self.crew.lands:
             self.wrong(f"it has flown no higher than {self.top:.1f} m")
         if self.flown.example in PLANNED:
             judge_aboard(self.world, self.result)
         self.result.notes.append(f"as high as {self.top:.1f} m")
 
-    def in_the_air(self) -> bool:
-        return self.truth.armed and self.truth.height > 2.0
+    def lost_its_targets(self) -> bool:
+        """PX4 returns when of the targets for OFFBOARD too many are lost; the sketch has to say so."""
+        lost = self.flown.befalls == "3 % of bytes" and self.last_state.startswith("ended by a failsafe")
+        modes = [mode for _, mode, _ in self.truth.modes]
+        way = [self.crew.modes.get("OFFBOARD"), self.crew.modes[self.crew.returns]]
+        if is_so := lost and way in [modes[at : at + 2] for at in range(len(modes))]:
+            self.result.notes.append("so many targets were lost that it returned")
+        return is_so
+
+    def is_under_way(self) -> bool:
+        return self.truth.armed and (self.truth.height if self.crew.lands else self.truth.moved) > MOVED_M
 
     def moment(self) -> None:
         """A random one of the flight."""
-        self.world.until(self.in_the_air, 60.0)
+        self.world.until(self.is_under_way, 60.0)
         self.world.run(self.chance.uniform(0, 15))
 
     def behind_a_person(self) -> None:
-        world, truth, befalls = self.world, self.truth, self.flown.befalls
+        world, truth, befalls, crew, modes = self.world, self.truth, self.flown.befalls, self.crew, self.crew.modes
         mine: set[int] = set()
         if befalls == "a pilot disarms":
             world.run(self.chance.uniform(0, 2.0))
@@ -195,18 +228,21 @@ class Flight:
             if not truth.armed:
                 self.result.notes.append("it was over before the person came")
                 return
+            if self.said("ended"):
+                self.wrong(f"nobody was there yet, and the console says {self.last_state!r}")
+                return self.bring_down()
             goes_on = world.now
             if befalls == "a pilot comes while loop() stands still":
                 goes_on = self.stand_still()
                 world.run(self.chance.uniform(0.2, 1.8))
             came, own = world.now, truth.mode
             if befalls == "a failsafe":
-                world.sticks = 900
-                mine |= {MODES[RETURNS], MODES["LAND"]}
+                world.simulator.has_remote = False
+                mine |= {modes[crew.returns], modes.get("LAND", -1)}
                 world.until(lambda: truth.mode in mine, 10.0)
             else:
-                mine |= {MODES["LOITER"]}
-                truth.set_mode(MODES["LOITER"])
+                mine |= {modes[crew.takes]}
+                truth.set_mode(modes[crew.takes])
                 world.until(lambda: truth.mode in mine, 3.0)
             if truth.mode not in mine:
                 self.result.notes.append(f"{befalls} did not come to be")
@@ -215,8 +251,7 @@ class Flight:
             at = max(truth.modes[-1][0], goes_on + HEARTBEAT_S if goes_on > came else 0.0)
             if befalls == "a pilot lands":
                 world.run(4.0)
-                mine |= {MODES["LAND"]}
-                truth.set_mode(MODES["LAND"])
+                self.land(mine)
             elif befalls == "a pilot gives back":
                 world.run(8.0)
                 mine |= {own}
@@ -231,13 +266,23 @@ class Flight:
             self.wrong(f"the console never said 'ended' behind it; its last state is {self.last_state!r}")
         self.bring_down()
 
+    def land(self, mine: set[int]) -> None:
+        """The truth does, or disarms what drives."""
+        if self.crew.lands is None:
+            self.truth.arm(False)
+            return
+        mine.add(self.crew.modes[self.crew.lands])
+        self.truth.set_mode(self.crew.modes[self.crew.lands])
+
     def judge_kept(self, at: float, mine: set[int]) -> None:
         """Nothing of the sketch's behind this time."""
-        if orders := self.orders(at + SHOWS_S):
+        if orders := self.orders(at + self.crew.shows_s):
             self.wrong(f"it sent {len(orders)} orders behind it, the first {orders[0]}")
-        names = {number: name for name, number in MODES.items()}
-        others = [(time, names.get(mode, str(mode))) for time, mode, _ in self.changes(at) if mode not in mine]
-        if late := [name for time, name in others if time > at + SHOWS_S]:
+        names = {number: name for name, number in self.crew.modes.items()}
+        # Of a mode that comes with the disarming, the autopilot is the author.
+        others = [(time, names.get(mode, str(mode)))
+                  for time, mode, armed in self.changes(at) if armed and mode not in mine]  # fmt: skip
+        if late := [name for time, name in others if time > at + self.crew.shows_s]:
             self.wrong(f"other modes came behind it: {late}")
         elif others:
             self.result.notes.append(f"{others[0][1]} came {others[0][0] - at:.2f} s behind it, by an order on its way")
@@ -257,7 +302,8 @@ class Flight:
                 self.wrong(f"it sent {len(orders)} orders behind the reset, the first {orders[0]}")
             if self.armed_again(at):
                 self.wrong("it was armed again behind the reset")
-            if self.truth.armed and self.flown.example in PLANNED and self.flown.example != "WorkAtWaypoints":
+            flies_on = self.flown.example in PLANNED and self.flown.example != "WorkAtWaypoints" and self.crew.lands
+            if self.truth.armed and flies_on:
                 self.wrong("the plan was not flown to its end behind the reset")
             self.bring_down()
             return
@@ -289,8 +335,8 @@ class Flight:
         """The truth lands what is still in the air."""
         if self.truth.armed:
             self.result.notes.append(f"brought down from {self.truth.height:.0f} m by the truth")
-            self.world.sticks = None
-            self.truth.set_mode(MODES["LAND"])
+            self.world.simulator.has_remote = True
+            self.land(set())
             self.world.until(lambda: not self.truth.armed, 90.0)
             if self.truth.armed:
                 self.wrong("it could not be brought down")
@@ -306,7 +352,7 @@ def judge_aboard(world: Any, result: Result) -> None:
         else:
             sent.setdefault(message.mission_type, {})[message.seq] = message
     for kind, items in sent.items():
-        home = 1 if kind == 0 else 0  # item 0 of a mission is the autopilot's own
+        home = world.truth.homes if kind == 0 else 0
         meant = placed([items[seq] for seq in sorted(items)][home:])
         held = placed(world.truth.received(kind)[home:])
         same = len(held) == len(meant) and all(

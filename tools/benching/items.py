@@ -6,13 +6,18 @@ behind an upload that was accepted must say so. What the fakes would have kept i
 
 from __future__ import annotations
 
+import csv
 import math
 import random
+from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from simulation.bench import packed
-from simulation.fake_autopilot import Item
+from simulation.fake_autopilot import Item, mavlink
+from simulation.fake_autopilot.ardupilot_rewriting import mission_item
 from simulation.fake_autopilot.items import f32
+from simulation.fake_autopilot.px4_rewriting import item_as_held
 
 from .scenarios import ENDED, Result, item_of, status_names
 
@@ -21,7 +26,7 @@ COMMANDS = (16, 17, 18, 19, 20, 21, 22, 30, 31, 82, 84, 85, 92, 93, 94, 112, 114
 FRAMES = (0, 2, 3, 5, 6, 10, 11)
 HERE = (-353632621, 1491652374)
 LIMIT_S = 20.0
-SEQ = 2  # of the item on ArduPilot's wire, behind home and a waypoint
+COLUMNS = ("frame", "p1", "p2", "p3", "p4", "x", "y", "z")
 
 
 class Row(NamedTuple):
@@ -46,6 +51,7 @@ def drawn(chance: random.Random) -> Item:
 
 def play_items(talk: Any, holder: Any, chance: random.Random, result: Result, rounds: int) -> list[Row]:
     rows: list[Row] = []
+    seq = holder.homes + 1  # of the item on the wire, behind a waypoint
     for _ in range(rounds):
         item = drawn(chance)
         for number, one in enumerate((item_of(0), item, item_of(1))):
@@ -57,15 +63,17 @@ def play_items(talk: Any, holder: Any, chance: random.Random, result: Result, ro
             result.wrong.append(f"{item}: the upload has not ended")
             return rows
         messages = [entry.message for entry in talk.wire.entries[before:] if entry.direction == ">" and entry.message]
-        sent = [one for one in messages if one.get_type() == "MISSION_ITEM_INT" and one.seq == SEQ]
+        sent = [one for one in messages if one.get_type() == "MISSION_ITEM_INT" and one.seq == seq]
         if uploaded != "Accepted":
+            if uploaded == "OtherPlanAboard":  # PX4's checksum of the plan says so
+                result.wrong.append(f"{uploaded} right behind the upload of {item}")
             if sent:
                 rows.append(Row(Item.of(sent[-1]), uploaded, None))
             continue
         held = holder.received()
-        rows.append(Row(Item.of(sent[-1]), "Accepted", held[SEQ] if len(held) > SEQ else None))
+        rows.append(Row(Item.of(sent[-1]), "Accepted", held[seq] if len(held) > seq else None))
         verified = _ended(talk, "check")
-        if len(held) != SEQ + 2:
+        if len(held) != seq + 2:
             result.wrong.append(f"Accepted, and {len(held)} items are aboard behind {item}")
         if verified != "Verified":
             result.wrong.append(f"{verified} right behind Accepted: {item} is kept as {rows[-1].read}")
@@ -78,3 +86,40 @@ def _ended(talk: Any, words: str) -> str | None:
     talk.until(lambda: any(ENDED.match(line) for line in talk.lines[said:]), LIMIT_S)
     found = next((match for line in talk.lines[said:] if (match := ENDED.match(line))), None)
     return status_names()[int(found[1])] if found else None
+
+
+def fakes_differ(rows: list[Row], vehicle: str, version: str) -> Iterator[str]:
+    """What the fake autopilot would have kept of these items otherwise."""
+    for sent, result, read in rows:
+        if vehicle == "px4":
+            code, held = item_as_held(sent, 0, False, " 1.18" in version)
+        else:
+            code, held = mission_item(sent, vehicle.removeprefix("ardu"))
+        if (code == mavlink.MAV_MISSION_ACCEPTED) != (result == "Accepted"):
+            yield f"{sent}: {result}, and the fake says {mavlink.enums['MAV_MISSION_RESULT'][code].name}"
+        elif read is not None and held is not None and not read._replace(current=held.current).same_as(held):
+            yield f"{sent}: kept as {read}, and by the fake as {held}"
+
+
+def keep_rows(rows: list[Row], file: Path) -> None:
+    """Behind those that it has, as in simulation/recordings/readback_random_*.csv."""
+    plan = sum(1 for _ in open(file)) if file.exists() else 1
+    with open(file, "a", newline="") as out:
+        lines = csv.writer(out, lineterminator="\n")
+        if plan == 1:
+            sent, read = ([f"{way}_{one}" for one in COLUMNS] for way in ("sent", "read"))
+            read[1:1] = ["read_command"]
+            lines.writerow(["command", "name", *sent, "result", *read, "read_current", "read_autocontinue", "plan"])
+        for number, (item, result, kept) in enumerate(rows, start=plan):
+            entry = mavlink.enums["MAV_CMD"].get(item.command)
+            name = entry.name.removeprefix("MAV_CMD_") if entry else str(item.command)
+            back: tuple = ("",) * 11
+            if kept is not None:
+                back = (kept.frame, kept.command, *map(_figures, kept[4:]), kept.current, kept.autocontinue)
+            word = "".join(f"_{letter}" if letter.isupper() or letter.isdigit() else letter for letter in result)
+            where = [item.frame, *map(_figures, item[4:])]
+            lines.writerow([item.command, name, *where, word.strip("_").upper(), *back, number])
+
+
+def _figures(number: float) -> str:
+    return str(number) if isinstance(number, int) else f"{number:.9g}"

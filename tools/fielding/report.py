@@ -31,21 +31,18 @@ def report(day: str, outcomes: Sequence[Outcome]) -> str:
                 f"| {kind} | {len(own)} | {sum(bool(one.contradictions) for one in own)} | {minutes:.0f} min |"
             )
     lines += ["", "## Contradictions", ""]
-    for one in against:
-        for words in one.contradictions:
-            lines.append(f"- {one.name}, seed {one.seed}: {words} (`{one.frames}`)")
-    if not against:
-        lines.append("None.")
+    told = ((f"{one.vehicle}: {one.name}, seed {one.seed}", one) for one in against)
+    lines += [f"- {name}: {words} (`{one.frames}`)" for name, one in told for words in one.contradictions] or ["None."]
     if broken:
         lines += ["", "## Trials that came to nothing", ""]
-        lines += [f"- {one.name}, seed {one.seed}: {one.broke}" for one in broken]
+        lines += [f"- {one.vehicle}: {one.name}, seed {one.seed}: {one.broke}" for one in broken]
     if differ := [(one, words) for one in trials for words in one.fakes_differ]:
         lines += ["", "## What the fakes do otherwise", ""]
-        lines += [f"- seed {one.seed}: {words}" for one, words in differ]
-    lines += ["", "## Every trial", "", "| trial | seed | ended | s | notes |", "|---|---|---|---|---|"]
+        lines += [f"- {one.vehicle}, seed {one.seed}: {words}" for one, words in differ]
+    lines += ["", "## Every trial", "", "| | trial | seed | ended | s | notes |", "|---|---|---|---|---|---|"]
     for one in trials:
-        notes = "; ".join(one.notes) if one.kind != "random items" else f"{len(one.notes)} items"
-        lines.append(f"| {one.name} | {one.seed} | {one.status} | {one.simulated_s:.0f} | {notes.replace('|', '/')} |")
+        notes = f"{len(one.notes)} items" if one.kind == "random items" else "; ".join(one.notes).replace("|", "/")
+        lines.append(f"| {one.vehicle} | {one.name} | {one.seed} | {one.status} | {one.simulated_s:.0f} | {notes} |")
     lines += ["", "For the table of docs/autopilots.md:", ""]
     lines += [line_of_autopilots(one, day, outcomes) for one in versions]
     return "\n".join([*lines, ""])

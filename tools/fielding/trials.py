@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import random
 import re
@@ -13,45 +12,29 @@ import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from benching.flights import Flight, firmware, play_printed
-from benching.items import Row, play_items
-from benching.scenarios import GRIDDED, SCENARIOS, SIMULATED, Result, Scenario, perform
+from benching.items import Row, fakes_differ, keep_rows, play_items
+from benching.scenarios import GRIDDED, SCENARIOS, SIMULATED, Result, perform
 from benching.sketch import SOURCE
-from simulation.fake_autopilot.ardupilot_rewriting import mission_item
-from simulation.fake_autopilot.dialect import mavlink
 from simulation.firmware import build_firmware
-from trial_names import FLIGHTS, PRINTED, RANDOM_ITEMS, Flown
+from trial_names import FLIGHTS, PRINTED, RANDOM_ITEMS, is_for
 
-from .world import Simulator, World
+from .simulator import Simulator
+from .world import World
 
 ROUNDS = 40  # of random items in a trial
 FOUND_S = 4.0  # within which the board has heard the simulator
 PERCENT = 3.0
 RESULTS = "trials.jsonl"
-COLUMNS = ("frame", "p1", "p2", "p3", "p4", "x", "y", "z")
 
 
-@dataclass
-class Trial:
-    """One row and its seed."""
-
-    row: Scenario | Flown | str
-
-    @property
-    def name(self) -> str:
-        if isinstance(self.row, str):
-            return f"example {self.row}" if self.row in PRINTED else self.row
-        return self.row.name
-
-    @property
-    def kind(self) -> str:
-        if isinstance(self.row, Flown):
-            return "flights"
-        if isinstance(self.row, Scenario):
-            return "uploads"
-        return "examples" if self.row in PRINTED else "random items"
+class Trial(NamedTuple):
+    name: str
+    kind: str
+    row: Any  # of the table
+    vehicle: str
 
     @property
     def to_fly(self) -> bool:
@@ -64,6 +47,7 @@ class Outcome:
 
     name: str
     kind: str
+    vehicle: str
     seed: int
     status: str = ""
     contradictions: list[str] = field(default_factory=list)
@@ -76,11 +60,19 @@ class Outcome:
     clock: str = ""  # how its time was held
     broke: str = ""  # why it is no trial: what stood still, or did not come up
 
+    @property
+    def key(self) -> tuple[str, str, int]:
+        return self.vehicle, self.name, self.seed
 
-def table() -> list[Trial]:
-    """Every trial, in the order of simulator_names()."""
-    rows: list[Any] = [row for row in SCENARIOS if row.is_for != "board"]
-    return [Trial(row) for row in (*rows, *SIMULATED, *GRIDDED, RANDOM_ITEMS, *PRINTED, *FLIGHTS)]
+
+def table(vehicle: str = "arducopter") -> list[Trial]:
+    """Every trial of it, in the order of simulator_names()."""
+    uploads = [*(one for one in SCENARIOS if one.is_for != "board"), *SIMULATED, *GRIDDED]
+    rows: list[tuple[str, str, Any]] = [(one.name, "uploads", one) for one in uploads]
+    rows += [(RANDOM_ITEMS, "random items", None)]
+    rows += [(f"example {one}", "examples", one) for one in PRINTED]
+    rows += [(one.name, "flights", one) for one in FLIGHTS]
+    return [Trial(*row, vehicle) for row in rows if is_for(vehicle, row[2])]
 
 
 class Kept:
@@ -94,51 +86,26 @@ class Kept:
         self.outcomes = [Outcome(**json.loads(line)) for line in lines]
 
     def has(self, trial: Trial, seed: int) -> bool:
-        return any((one.name, one.seed) == (trial.name, seed) and not one.broke for one in self.outcomes)
+        return any(one.key == (trial.vehicle, trial.name, seed) and not one.broke for one in self.outcomes)
 
-    def add(self, outcome: Outcome, recording: str, rows: list[Row], vehicle: str) -> None:
+    def add(self, outcome: Outcome, recording: str, rows: list[Row]) -> None:
         if recording:
-            name = re.sub(r"[^a-z0-9]+", "_", f"{outcome.name} {outcome.seed}".lower())
+            name = re.sub(r"[^a-z0-9]+", "_", f"{outcome.vehicle} {outcome.name} {outcome.seed}".lower())
             outcome.frames = f"recordings/{'lossy_' * (' >> ' in recording)}{name}.txt"
             (self.folder / "recordings").mkdir(exist_ok=True)
             (self.folder / outcome.frames).write_text(recording)
         if rows:
-            self._add_rows(rows, vehicle)
-        self.outcomes = [one for one in self.outcomes if (one.name, one.seed) != (outcome.name, outcome.seed)]
-        self.outcomes.append(outcome)
+            keep_rows(rows, self.folder / f"readback_random_{outcome.vehicle}.csv")
+        self.outcomes = [*(one for one in self.outcomes if one.key != outcome.key), outcome]
         with open(self._file, "a") as file:
             file.write(json.dumps(asdict(outcome)) + "\n")
 
-    def _add_rows(self, rows: list[Row], vehicle: str) -> None:
-        """As in simulation/recordings/readback_random_*.csv."""
-        file = self.folder / f"readback_random_{vehicle}.csv"
-        plan = sum(1 for _ in open(file)) if file.exists() else 1
-        with open(file, "a", newline="") as out:
-            lines = csv.writer(out, lineterminator="\n")
-            if plan == 1:
-                sent, read = ([f"{way}_{one}" for one in COLUMNS] for way in ("sent", "read"))
-                read[1:1] = ["read_command"]
-                lines.writerow(["command", "name", *sent, "result", *read, "read_current", "read_autocontinue", "plan"])
-            for number, (item, result, kept) in enumerate(rows, start=plan):
-                entry = mavlink.enums["MAV_CMD"].get(item.command)
-                name = entry.name.removeprefix("MAV_CMD_") if entry else str(item.command)
-                back: tuple = ("",) * 11
-                if kept is not None:
-                    back = (kept.frame, kept.command, *map(_figures, kept[4:]), kept.current, kept.autocontinue)
-                word = "".join(f"_{letter}" if letter.isupper() or letter.isdigit() else letter for letter in result)
-                where = [item.frame, *map(_figures, item[4:])]
-                lines.writerow([item.command, name, *where, word.strip("_").upper(), *back, number])
-
-
-def _figures(number: float) -> str:
-    return str(number) if isinstance(number, int) else f"{number:.9g}"
-
 
 class Runner:
-    """Runs trials; `start(folder)` gives a simulator, which has a folder for itself."""
+    """Runs trials; `start(vehicle, folder)` gives a simulator, which has a folder for itself."""
 
     def __init__(
-        self, start: Callable[[Path], Simulator], kept: Kept, clock: Callable[[], float] = time.monotonic
+        self, start: Callable[[str, Path], Simulator], kept: Kept, clock: Callable[[], float] = time.monotonic
     ) -> None:
         self._start, self.kept, self._clock = start, kept, clock
 
@@ -152,19 +119,18 @@ class Runner:
             yield self._one(trial, seed), number, total
 
     def _one(self, trial: Trial, seed: int) -> Outcome:
-        outcome = Outcome(trial.name, trial.kind, seed)
+        outcome = Outcome(trial.name, trial.kind, trial.vehicle, seed)
         began, folder = self._clock(), Path(tempfile.mkdtemp(prefix="field_"))
-        recording, rows, name = "", [], ""
+        recording, rows = "", []
         world = None
         try:
-            world = World(self._start(folder), zlib.crc32(f"{trial.name} {seed}".encode()))
-            name = world.simulator.name
+            world = World(self._start(trial.vehicle, folder), zlib.crc32(f"{trial.name} {seed}".encode()))
             world.begin(trial.to_fly)
-            outcome.version, outcome.clock = f"{name} {world.truth.version()}", world.simulator.clock
-            result = Result(trial.name, name)
+            outcome.version, outcome.clock = f"{trial.vehicle} {world.truth.version()}", world.simulator.clock
+            result = Result(trial.name, trial.vehicle)
             rows = self._play(world, trial, result, random.Random(f"{trial.name} {seed}"))
             outcome.status, outcome.contradictions, outcome.notes = result.status, result.wrong, result.notes
-            outcome.fakes_differ = list(fakes_differ(rows))
+            outcome.fakes_differ = list(fakes_differ(rows, trial.vehicle, outcome.version))
         except Exception as error:  # whatever breaks one trial must not end the others: the report tells of it
             outcome.broke = f"{type(error).__name__}: {error}"
         finally:
@@ -174,36 +140,27 @@ class Runner:
                 world.close()
             shutil.rmtree(folder, ignore_errors=True)
         outcome.took_s = round(self._clock() - began, 1)
-        self.kept.add(outcome, recording, rows, name)
+        self.kept.add(outcome, recording, rows)
         return outcome
 
     @staticmethod
     def _play(world: World, trial: Trial, result: Result, chance: random.Random) -> list[Row]:
         row = trial.row
-        if isinstance(row, Flown):
+        if trial.kind == "flights":
             if row.befalls == "3 % of bytes":
                 world.wire.damage_bytes(lose=PERCENT)
             world.power_on(firmware(row.example))
             Flight(world, row, result, chance).fly()
-        elif isinstance(row, str) and row in PRINTED:
+            return []
+        if trial.kind == "examples":
             world.power_on(firmware(row))
             play_printed(world, row, result)
-        else:
-            if isinstance(row, Scenario):
-                row.prepare(world.wire, world.truth)
-            world.power_on(build_firmware(SOURCE.stem, [SOURCE]))
-            world.run(FOUND_S)
-            if not isinstance(row, Scenario):
-                return play_items(world, world.truth, chance, result, ROUNDS)
-            perform(world, row, world.truth, result, chance)
+            return []
+        if row is not None:
+            row.prepare(world.wire, world.truth)
+        world.power_on(build_firmware(SOURCE.stem, [SOURCE]))
+        world.run(FOUND_S)
+        if row is None:
+            return play_items(world, world.truth, chance, result, ROUNDS)
+        perform(world, row, world.truth, result, chance)
         return []
-
-
-def fakes_differ(rows: list[Row]) -> Iterator[str]:
-    """What the fake ArduPilot would have kept of these items otherwise."""
-    for sent, result, read in rows:
-        code, held = mission_item(sent)
-        if (code == mavlink.MAV_MISSION_ACCEPTED) != (result == "Accepted"):
-            yield f"{sent}: {result}, and the fake says {mavlink.enums['MAV_MISSION_RESULT'][code].name}"
-        elif read is not None and held is not None and not read._replace(current=held.current).same_as(held):
-            yield f"{sent}: kept as {read}, and by the fake as {held}"

@@ -2,95 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Any
+import math
+from collections.abc import Sequence
 
 from benching.scenarios import placed
 from simulation.fake_autopilot import Item, mavlink
+from simulation.ground_station import GroundStation
 
-ADDRESS = (255, mavlink.MAV_COMP_ID_MISSIONPLANNER)
-ARMED = mavlink.MAV_MODE_FLAG_SAFETY_ARMED
-FORCED = 21196  # arm or disarm, whatever the checks say
-ANSWERS_S = 1.0
-ASKED_FOR = {0: 20_000, 24: 500_000, 33: 100_000, 245: 100_000}  # [us] between two of these messages
-REPEATS = 30
+from .simulator import HOME
 
-
-def _is_item(kind: int, seq: int, one: Any) -> bool:
-    return one.get_type() == "MISSION_ITEM_INT" and (one.mission_type, one.seq) == (kind, seq)
+ASKED_FOR = {0: 20_000, 1: 500_000, 24: 500_000, 33: 100_000, 245: 100_000}  # [us] between two of these messages
+METRES_OF_DEGREE = 111_320.0
 
 
-class NoTruth(Exception):
-    """The simulator does not answer on the truth's port."""
+class Truth(GroundStation):
+    placed_beside: list[tuple] | None = None  # the plan of its own that was accepted
 
-
-class Truth:
-    """`run(seconds)` lets time go on, which `clock()` tells [s]; `write(bytes)` is the port."""
-
-    def __init__(
-        self, run: Callable[[float], None], clock: Callable[[], float], write: Callable[[bytes], None]
-    ) -> None:
-        self._run, self._clock, self._write = run, clock, write
-        self._mav = mavlink.MAVLink(None, *ADDRESS)
-        self._mav.robust_parsing = True
-        self._beat_at = -1.0
-        self._inbox: list[Any] = []
-        self.latest: dict[str, Any] = {}
-        self.modes: list[tuple[float, int, bool]] = []  # (s, custom mode, armed), at each change
-        self.texts: list[tuple[float, str]] = []
-        self.placed_beside: list[tuple] | None = None  # the plan of its own that was accepted
-
-    # What time brings
-
-    def tick(self) -> None:
-        if self._clock() - self._beat_at >= 1.0:
-            self._beat_at = self._clock()
-            self._say(mavlink.MAVLink_heartbeat_message(mavlink.MAV_TYPE_GCS, 8, 0, 0, 4, 3))
-
-    def feed(self, data: bytes) -> None:
-        for message in self._mav.parse_buffer(data) or ():
-            name = message.get_type()
-            if name == "BAD_DATA" or message.get_srcComponent() != mavlink.MAV_COMP_ID_AUTOPILOT1:
-                continue
-            self.latest[name] = message
-            self._inbox.append(message)
-            if name == "HEARTBEAT":
-                now = (message.custom_mode, bool(message.base_mode & ARMED))
-                if not self.modes or self.modes[-1][1:] != now:
-                    self.modes.append((self._clock(), *now))
-            elif name == "STATUSTEXT":
-                self.texts.append((self._clock(), message.text))
-
-    def _say(self, message: Any) -> None:
-        self._write(message.pack(self._mav))
-        self._mav.seq = (self._mav.seq + 1) % 256
-
-    def _asked(self, message: Any, found: Callable[[Any], bool], repeats: int = REPEATS) -> Any:
-        """The answer to a message, which is said again until one comes."""
-        for _ in range(repeats):
-            self._inbox.clear()
-            self._say(message)
-            until = self._clock() + ANSWERS_S
-            while self._clock() < until:
-                self._run(0.0)
-                if answer := next((one for one in self._inbox if found(one)), None):
-                    return answer
-        raise NoTruth(f"no answer to {message.get_type()}")
-
-    # What it knows
-
-    @property
-    def mode(self) -> int:
-        return self.modes[-1][1]
-
-    @property
-    def armed(self) -> bool:
-        return bool(self.modes) and self.modes[-1][2]
-
-    @armed.setter
-    def armed(self, on: bool) -> None:
-        self.arm(on)
+    def follow(self) -> None:
+        """Ask for heartbeats and places often enough to judge by."""
+        for identity, us in ASKED_FOR.items():
+            self.command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, identity, us)
 
     @property
     def height(self) -> float:
@@ -98,70 +29,13 @@ class Truth:
         told = self.latest.get("GLOBAL_POSITION_INT")
         return told.relative_alt / 1000 if told else 0.0
 
-    def received(self, mission_type: int = 0) -> list[Item]:
-        """The items aboard, read by their own transfer."""
-        kind = mission_type
-        for _ in range(3):
-            ask = mavlink.MAVLink_mission_request_list_message(1, 1, kind)
-            count = self._asked(ask, lambda one: one.get_type() == "MISSION_COUNT" and one.mission_type == kind).count
-            items: list[Item] = []
-            try:
-                for seq in range(count):
-                    ask = mavlink.MAVLink_mission_request_int_message(1, 1, seq, kind)
-                    items.append(Item.of(self._asked(ask, partial(_is_item, kind, seq), 5)))
-            except NoTruth:
-                continue  # such as an autopilot that has another transfer under way
-            self._say(mavlink.MAVLink_mission_ack_message(1, 1, 0, kind))
-            return items
-        raise NoTruth("what is aboard could not be read")
+    @property
+    def moved(self) -> float:
+        """[m from home], level"""
+        told = self.latest.get("GLOBAL_POSITION_INT")
+        return math.hypot(told.lat / 1e7 - HOME[0], told.lon / 1e7 - HOME[1]) * METRES_OF_DEGREE if told else 0.0
 
-    def version(self) -> str:
-        """Such as 4.8.0-dev (531699d6)."""
-        ask = mavlink.MAVLink_command_long_message(1, 1, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 148, 0, 0, 0, 0, 0, 0)
-        told = self._asked(ask, lambda one: one.get_type() == "AUTOPILOT_VERSION")
-        major, minor, patch, kind = told.flight_sw_version.to_bytes(4, "big")
-        release = {0: "-dev", 64: "-alpha", 128: "-beta", 192: "-rc", 255: ""}.get(kind, f"-{kind}")
-        return f"{major}.{minor}.{patch}{release} ({bytes(told.flight_custom_version).decode(errors='replace')})"
-
-    # What it does
-
-    def command(self, command: int, *params: float) -> int:
-        """The MAV_RESULT."""
-        message = mavlink.MAVLink_command_long_message(1, 1, command, 0, *params, *[0.0] * (7 - len(params)))
-        return self._asked(message, lambda one: one.get_type() == "COMMAND_ACK" and one.command == command).result
-
-    def follow(self) -> None:
-        """Ask for heartbeats and places often enough to judge by."""
-        for identity, us in ASKED_FOR.items():
-            self.command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, identity, us)
-
-    def arm(self, on: bool, forced: bool = True) -> int:
-        result = self.command(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, float(on), FORCED if forced else 0)
-        for _ in range(600):
-            if self.armed == on:
-                break
-            self._run(0.0)
-        return result
-
-    def set_mode(self, number: int) -> None:
-        self.command(mavlink.MAV_CMD_DO_SET_MODE, 1, number)
-
-    def upload_beside(self, items: Sequence[Item]) -> int:
-        """A plan of its own, as a second station would; the MAV_MISSION_RESULT."""
-
-        def asks(one: Any) -> bool:
-            return one.get_type() in ("MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK") and one.mission_type == 0
-
-        plan = [items[0], *items]  # home first
-        message = mavlink.MAVLink_mission_count_message(1, 1, len(plan), 0)
-        while True:
-            answer = self._asked(message, asks)
-            if answer.get_type() == "MISSION_ACK":
-                break
-            one = plan[answer.seq]
-            message = mavlink.MAVLink_mission_item_int_message(
-                1, 1, answer.seq, one.frame, one.command, 0, 1, one.param1, one.param2, one.param3, one.param4,
-                int(one.x), int(one.y), one.z, 0)  # fmt: skip
-        if answer.type == mavlink.MAV_MISSION_ACCEPTED:
+    def upload_beside(self, items: Sequence[Item]) -> None:
+        """A plan of its own, as a second station would."""
+        if self.upload(items) == mavlink.MAV_MISSION_ACCEPTED:
             self.placed_beside = placed(items)
-        return answer.type

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 GRAVITY = 9.80665
-WHOLE_US = 1 + 2e-6  # ArduPilot cuts each step to whole microseconds: none is to be cut
+STANDS_M = 2.5  # below it the throttle stick of a copter is down
 Vector = list[float]
 
 
@@ -33,15 +33,12 @@ class Vehicle:
         self.quaternion = [1.0, 0.0, 0.0, 0.0]
 
     def step(self, pulses: tuple[int, ...], dt: float) -> None:
-        raise NotImplementedError
+        """It stays where it is, if it is no vehicle of those below."""
+        self.time += dt
 
-    def sensors(self) -> str:
-        """As ArduPilot's JSON interface wants it."""
-        vectors = (("position", self.position), ("velocity", self.velocity), ("quaternion", self.quaternion))
-        body = (("gyro", self.turning), ("accel_body", self.force))
-        imu, rest = (",".join(f'"{name}":[{",".join(f"{one:.9g}" for one in values)}]' for name, values in part)
-                     for part in (body, vectors))  # fmt: skip
-        return f'"timestamp":{self.time * WHOLE_US:.9f},"imu":{{{imu}}},{rest}'
+    def throttle_stick(self) -> int:
+        """[us], as somebody at the sticks would hold it; the others are in the middle."""
+        return 1500
 
     def turn(self, dt: float) -> None:
         w, x, y, z = self.quaternion
@@ -63,7 +60,7 @@ class Vehicle:
 
 
 class Copter(Vehicle):
-    """Four motors in an X, numbered as ArduPilot does."""
+    """Four motors in an X, numbered as ArduPilot and PX4 do."""
 
     MOTORS = ((-1, 1, 1), (1, -1, 1), (1, 1, -1), (-1, -1, -1))  # what the thrust of each does to roll, pitch and yaw
     HOVERS = 0.35  # at this share of the thrust of all
@@ -75,6 +72,9 @@ class Copter(Vehicle):
     def __init__(self) -> None:
         super().__init__()
         self.thrust = [0.0] * 4
+
+    def throttle_stick(self) -> int:
+        return 1500 if -self.position[2] > STANDS_M else 1000
 
     def step(self, pulses: tuple[int, ...], dt: float) -> None:
         self.time += dt
@@ -98,3 +98,27 @@ class Copter(Vehicle):
             return
         self.move([earth[0], earth[1], earth[2] + GRAVITY], dt)
         self.force = [sum(matrix[axis][way] * earth[axis] for axis in range(3)) for way in range(3)]
+
+
+class Rover(Vehicle):
+    """Steered by its front wheels, with servo 1, and driven by servo 3."""
+
+    FASTEST = 6.0  # [m/s]
+    SLOWS_S = 0.7
+    TURNS = 0.3  # [rad/m], at the most
+
+    def step(self, pulses: tuple[int, ...], dt: float) -> None:
+        self.time += dt
+        steered, driven = ((pulses[number] or 1500) / 500 - 3 for number in (0, 2))
+        ahead = rotation(self.quaternion)
+        speed = sum(ahead[axis][0] * self.velocity[axis] for axis in range(2))
+        speed += (driven * self.FASTEST - speed) * dt / self.SLOWS_S
+        self.turning[2] = steered * self.TURNS * speed
+        self.turn(dt)
+        matrix = rotation(self.quaternion)
+        earth = [(matrix[axis][0] * speed - self.velocity[axis]) / dt for axis in range(2)]
+        self.force = [*(matrix[0][way] * earth[0] + matrix[1][way] * earth[1] for way in range(2)), -GRAVITY]
+        self.move([*earth, 0.0], dt)
+
+
+VEHICLES: dict[str, type[Vehicle]] = {"arducopter": Copter, "ardurover": Rover, "arduplane": Vehicle}

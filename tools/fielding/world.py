@@ -5,56 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol
 
 from benching.player import Talk
-from simulation.fake_autopilot.frames import FrameSplitter
+from simulation import recordings
 from simulation.mega import Mega
 from simulation.wire import Wire
 
+from .simulator import Simulator
 from .truth import Truth
 
-SLICE_S = 0.0025
 BOOTS_S = 60.0
 FIT_S = 150.0
 SENSORS_FIT = 1 << 28  # of SYS_STATUS: what would keep it from arming
-STANDS_M = 2.5  # below it the throttle stick is down
 CONSOLE, TELEM = 0, 1
-
-
-def is_anothers(frame: bytes) -> bool:
-    """Whether a MAVLink 2 frame was sent by another system than the autopilot's."""
-    return frame[0] == 0xFD and len(frame) > 5 and frame[5] != 1
 
 
 class NotReady(Exception):
     """The simulator does not come up as it must; the text says what it said."""
-
-
-class Simulator(Protocol):
-    """An autopilot with two ports, whose time runs as far as it is told. Nothing here waits for the other side."""
-
-    name: str
-    firmware: str
-    clock: str  # how its time is held, in words
-
-    @property
-    def now(self) -> float: ...
-
-    def advance(self, until: float) -> None: ...
-
-    def line_read(self) -> bytes: ...
-
-    def line_write(self, data: bytes) -> None: ...
-
-    def truth_read(self) -> bytes: ...
-
-    def truth_write(self, data: bytes) -> None: ...
-
-    def sticks(self, throttle: int) -> None:
-        """[us], the others in the middle; 900 is a remote control that has failed."""
-
-    def close(self) -> None: ...
 
 
 class World(Talk):
@@ -64,36 +31,28 @@ class World(Talk):
         super().__init__()
         self.simulator = simulator
         self.wire = Wire(seed)
-        self.truth = Truth(self._run_on, lambda: self.now, simulator.truth_write)
+        self.truth = Truth(self, simulator.truth.write, simulator.firmware == "ArduPilot")
         self.mega: Mega | None = None
         self.said: list[tuple[float, str]] = []  # (s, line)
         self.crossed: list[tuple[float, str, bytes]] = []  # as in simulation/recordings
         self.watches: list[Callable[[], None]] = []
-        self.sticks: int | None = None  # [us]; None: as somebody at them would hold them
         self._born = 0.0
 
     @property
     def now(self) -> float:
         return self.simulator.now
 
-    def _run_on(self, seconds: float) -> None:
-        """At least one slice."""
-        self.run(max(seconds, SLICE_S))
-
     def begin(self, to_fly: bool) -> None:
         """Until the simulator speaks, or until it could be armed."""
         self._need(lambda: "HEARTBEAT" in self.truth.latest, BOOTS_S, "no heartbeat")
         self.truth.follow()
-        self.truth.command(511, 1, 500_000)
         if to_fly:
             self._need(self._is_fit, FIT_S, "never fit to arm")
             self.run(5.0)
 
     def _is_fit(self) -> bool:
-        told = self.truth.latest.get("SYS_STATUS")
-        return bool(
-            told and told.onboard_control_sensors_health & SENSORS_FIT and self.truth.latest["GLOBAL_POSITION_INT"].lat
-        )
+        told, place = map(self.truth.latest.get, ("SYS_STATUS", "GLOBAL_POSITION_INT"))
+        return bool(told and told.onboard_control_sensors_health & SENSORS_FIT and place and place.lat)
 
     def _need(self, found: Callable[[], bool], limit_s: float, what: str) -> None:
         if not self.until(found, limit_s):
@@ -114,22 +73,21 @@ class World(Talk):
         self.mega.serial(CONSOLE).send(data)
 
     def step(self) -> None:
-        simulator, to = self.simulator, self.now + SLICE_S
+        simulator, to = self.simulator, self.now + self.simulator.slice_s
         if self.mega is not None:
             self._board(to)
         if arriving := self.wire.deliver(">", to):
             self.crossed.append((to, ">>", arriving))
-            simulator.line_write(arriving)
+            simulator.line.write(arriving)
         self.truth.tick()
-        simulator.sticks(self.sticks or (1500 if self.truth.height > STANDS_M else 1000))
         simulator.advance(to)
-        if heard := simulator.line_read():
+        if heard := simulator.line.read():
             self.crossed.append((to, "<<", heard))
             self.wire.send("<", heard, to)
         if (arriving := self.wire.deliver("<", to)) and self.mega is not None:
             self.crossed.append((to, "<", arriving))
             self.mega.serial(TELEM).send(arriving)
-        self.truth.feed(simulator.truth_read())
+        self.truth.feed(simulator.truth.read())
         for watch in self.watches:
             watch()
 
@@ -147,22 +105,8 @@ class World(Talk):
         self.said += [(to, line) for line in self.lines[before:]]
 
     def recording(self) -> str:
-        """In the form of simulation/recordings: of a line that damages nothing and takes no time, two marks will do."""
-        marks = (">", ">>", "<<", "<") if self.is_disturbed else (">", "<")
-        splitter, lines = FrameSplitter(), []
-        for time, mark, data in self.crossed:
-            if (
-                mark == "<" and not self.is_disturbed
-            ):  # what the truth says goes by the autopilot, and is none of its own
-                data = b"".join(piece for piece, _ in splitter.feed(data) if not is_anothers(piece))
-            if data and mark in marks and time >= self._born:
-                lines.append(f"{time - self._born:.4f} {mark} {data.hex()}\n")
-        return "".join(lines)
-
-    @property
-    def is_disturbed(self) -> bool:
-        both = {mark: b"".join(data for _, one, data in self.crossed if one == mark) for mark in (">", ">>", "<", "<<")}
-        return both[">"] != both[">>"] or not both["<<"].endswith(both["<"])
+        born = self._born
+        return recordings.written([(time - born, mark, data) for time, mark, data in self.crossed if time >= born])
 
     def close(self) -> None:
         self.simulator.close()
