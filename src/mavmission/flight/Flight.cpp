@@ -202,6 +202,7 @@ void Flight::look(bool hasEnded) {
   sight.hands = hands();
   sight.mode = commands.shownMode();
   sight.isHeard = client_.autopilot().isFound();
+  sight.isLossy = client_.link().pace().isLossy();
   sight.isArmed = client_.autopilot().isArmed();
   sight.isOver = isSteered_ ? comesDown_ : isAtEnd_;
   sight.staysArmed = isRover() && !isSteered_ && isAtEnd_ && isComplete_;

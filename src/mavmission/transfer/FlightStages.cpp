@@ -80,6 +80,7 @@ void FlightStages::giveUp(FlightOrder ifItFlies) {
 // --- What happens
 
 void FlightStages::look(const FlightSight& sight, bool isBeat) {
+  if (sight.isHeard) heardMs_ = static_cast<uint16_t>(nowMs_);
   switch (state_) {
     case FlightState::Idle:
     case FlightState::Ended: return;
@@ -99,7 +100,9 @@ void FlightStages::look(const FlightSight& sight, bool isBeat) {
 void FlightStages::lookAtGround(const FlightSight& sight) {
   if (!sight.isHeard) {
     // What may have armed it already is not broken off.
-    if (hasHeard_ && !(setsModes() && sight.isArmed)) return end(EndedBy::Silence, Status::NoAutopilot);
+    const bool isGone =
+        !sight.isLossy || static_cast<uint16_t>(static_cast<uint16_t>(nowMs_) - heardMs_) >= kLossySilenceMs;
+    if (isGone && hasHeard_ && !(setsModes() && sight.isArmed)) return end(EndedBy::Silence, Status::NoAutopilot);
   } else if (setsModes()) {
     return;  // the end of that operation tells
   } else {

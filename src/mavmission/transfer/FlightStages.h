@@ -29,6 +29,7 @@ struct FlightSight {
   FlightHands hands;
   uint16_t mode;     // in the numbers of modeNumber()
   bool isHeard;      // its heartbeats come
+  bool isLossy;      // some may be lost
   bool isArmed;      // by the last one
   bool isOver;       // it is at the plan's last item, or comes down as it was told to
   bool mayRest;      // disarmed, it may have changed to this mode by itself
@@ -119,6 +120,7 @@ class FlightStages : public FlightRules {
   bool knowsRest_ : 1;     // restModes_ are known
   bool isGivenUp_ : 1;
   uint16_t restModes_[2];  // on the ground it is in one of these, unless somebody sets another one
+  uint16_t heardMs_;       // when a heartbeat came last
   uint16_t limitS_;        // 0: the usual one
   uint32_t nowMs_;
   uint32_t beganMs_;  // when the flight began

@@ -76,6 +76,7 @@ struct Talk {
         {"armed!", [](Talk& t) { t.sight.isArmed = true; }},
         {"disarmed!", [](Talk& t) { t.sight.isArmed = false; }},
         {"silent!", [](Talk& t) { t.sight.isHeard = false; }},
+        {"lossy!", [](Talk& t) { t.sight.isLossy = true; }},
         {"heard!", [](Talk& t) { t.sight.isHeard = true; }},
         {"mode1!", [](Talk& t) { t.sight.mode = 1; }},
         {"mode2!", [](Talk& t) { t.sight.mode = 2; }},
@@ -160,6 +161,8 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       "fly beat >upload =accepted >start armed! silent! beat9 preparing > =silent ended/refusal heard! beat9 >",
       "fly beat >upload silent! beat ended/silence fly =silent heard! beat9 > ended/silence",
       NOTREADY "silent! beat ended/silence heard! beat9 >",
+      NOTREADY "lossy! silent! beat9 notready beat ended/silence heard! beat9 >",
+      NOTREADY "lossy! silent! beat9 notready heard! beat silent! beat9 notready beat ended/silence",
       AIRBORNE "over! disarmed! beat landed silent! beat ended/silence heard! beat9 > fly ended/silence beat9 >",
       AIRBORNE "over! disarmed! beat landed silent! fly beat ended/silence heard! beat9 >",  // it lasted already
       // Somebody arms it, disarms it, sets another mode on the ground.
