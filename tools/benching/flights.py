@@ -15,8 +15,10 @@ from typing import Any, NamedTuple
 from building import BUILD, build_sketch
 from examples import example_folder
 from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.frames import FrameSplitter
 from simulation.fake_autopilot.px4 import custom_mode
 from simulation.fake_autopilot.vehicles import VEHICLES
+from simulation.wire import message_in
 from trial_names import PRINTED, Flown
 
 from .scenarios import Result, placed
@@ -51,6 +53,7 @@ ORDERS = {"SET_MODE", "MISSION_COUNT", "MISSION_SET_CURRENT", "MISSION_CLEAR_ALL
 QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL}
 STATES = ("idle", "preparing", "not ready", "flying", "at the stop", "landed", "ended")
 ARMS_S, ENDS_S, PRINTS_S, PERSON_S, SILENT_S = 120.0, 400.0, 90.0, 45.0, 30.0
+SILENCE_S = 5.0  # after so long a Flight takes the autopilot for gone
 FAULT_S = 12.0  # within which a sketch has noticed what befell it
 MOVED_M, HIGH_M = 2.0, 4.0  # it is under way, and as high as each flight goes
 STALL = "fieldStallMs"  # of the sketches that are flown
@@ -166,7 +169,8 @@ class Flight:
         if self.flown.example == "FlyByButtons" and world.until(lambda: bool(self.said("at the stop")), 90):
             self.press(1, 4.0)
             world.run(3.0)
-            self.press(0, PRESSED_S[self.flown.example])
+            if not self.said("ended"):  # else it would begin anew
+                self.press(0, PRESSED_S[self.flown.example])
 
         def is_over() -> bool:
             wanted = LANDINGS.get(self.flown.example, 1)
@@ -180,7 +184,8 @@ class Flight:
 
     def judge_end(self) -> None:
         """Of a flight to its end."""
-        if self.lost_its_targets():
+        if lost := self.lost_too_much():
+            self.result.notes.append(lost)
             return self.bring_down()
         if self.last_state != "landed":
             self.wrong(f"nobody was there, and the console's last state is {self.last_state!r}")
@@ -194,14 +199,29 @@ class Flight:
             judge_aboard(self.world, self.result)
         self.result.notes.append(f"as high as {self.top:.1f} m")
 
-    def lost_its_targets(self) -> bool:
-        """PX4 returns when of the targets for OFFBOARD too many are lost; the sketch has to say so."""
-        lost = self.flown.befalls == "3 % of bytes" and self.last_state.startswith("ended by a failsafe")
+    def lost_too_much(self) -> str:
+        """What a line that loses bytes may do to a flight, if the sketch says so; "": nothing."""
+        if self.flown.befalls != "3 % of bytes":
+            return ""
+        if self.last_state == "ended by silence" and self.longest_silence() >= SILENCE_S:
+            return "no heartbeat of the autopilot's came through for too long"
         modes = [mode for _, mode, _ in self.truth.modes]
-        way = [self.crew.modes.get("OFFBOARD"), self.crew.modes[self.crew.returns]]
-        if is_so := lost and way in [modes[at : at + 2] for at in range(len(modes))]:
-            self.result.notes.append("so many targets were lost that it returned")
-        return is_so
+        offboard = self.crew.modes.get("OFFBOARD")
+        without = [self.crew.modes[name] for name in (self.crew.returns, self.crew.takes)]
+        failed = any(one == offboard and other in without for one, other in zip(modes, modes[1:], strict=False))
+        if failed and self.last_state.startswith("ended by a failsafe"):
+            return "so many targets were lost that it left OFFBOARD"
+        return ""
+
+    def longest_silence(self) -> float:
+        """[s] between two heartbeats of the autopilot's that the board has heard whole."""
+        splitter, heard = FrameSplitter(), [self.began]
+        for time, mark, data in self.world.crossed:
+            for frame, is_whole in splitter.feed(data) if mark == "<" else ():
+                message = message_in(frame) if is_whole else None
+                if message is not None and message.get_type() == "HEARTBEAT" and message.get_srcComponent() == 1:
+                    heard.append(time)
+        return max(later - time for time, later in zip(heard, heard[1:], strict=False))
 
     def is_under_way(self) -> bool:
         return self.truth.armed and (self.truth.height if self.crew.lands else self.truth.moved) > MOVED_M

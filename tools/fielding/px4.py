@@ -65,8 +65,8 @@ class Px4(Simulator):
             ends.append(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
             ends[-1].bind(("127.0.0.1", 0))
             ends[-1].connect(("127.0.0.1", port := free_port(socket.SOCK_DGRAM)))
-            ours = ends[-1].getsockname()[1]
-            links.append(f"mavlink start -x -u {port} -o {ours} -t 127.0.0.1 -m {way}")
+            links.append(f"mavlink start -x -u {port} -o {ends[-1].getsockname()[1]} -t 127.0.0.1 -m {way}")
+        links.append(f"mavlink stream -u {port} -s HEARTBEAT -r 50")  # the truth's; it takes no request for that
         self.line, self.truth = map(Port, ends)
         for name, lines in (("simulator", begin), ("mavlink", links)):
             (self.folder / f"px4-rc.{name}").write_text("\n".join([*lines, ""]))
