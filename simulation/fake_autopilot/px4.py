@@ -380,6 +380,9 @@ class Px4(FakeAutopilot):
         if act is None:
             self._command_ack(message.command, RESULT_UNSUPPORTED, sender, now)
             return
+        if self.is_1_18 and message.get_type() == "COMMAND_INT" and message.frame != mavlink.MAV_FRAME_GLOBAL_INT:
+            self._command_ack(message.command, mavlink.MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME, sender, now)
+            return
         result = act(message, now)
         if message.command == mavlink.MAV_CMD_DO_SET_MODE and not self.is_1_18:
             # Two of its parts answer, and the first knows nothing yet.

@@ -19,7 +19,7 @@ from .vehicles import Copter, rotation
 
 STEP_S = 0.004
 SLOWLY = 5  # each so many steps the compass and the barometer, and each ten times so many the GPS
-BOOTS_S, ANSWERS_S = 0.002, 1.0  # by the computer's clock: so long it may take to answer a step
+BOOTS_S, ANSWERS_S = 0.005, 1.0  # by the computer's clock: so long it may take to answer a step
 EARTH_M = 6371000.0
 FIELD = (0.228, 0.050, -0.525)  # of the earth, at home [gauss, to the north, east and down]
 IMU, COMPASS, BAROMETER = 0x3F, 0x1C0, 0x1A00  # HIL_SENSOR.fields_updated

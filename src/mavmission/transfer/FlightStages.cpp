@@ -199,9 +199,9 @@ void FlightStages::onRefused(FlightOrder what, Status status, const FlightSight&
     default: break;
   }
   if (sight.isOtherPlan) return end(EndedBy::OtherStation, status);
-  // PX4 denies the start of a plan that it has only just taken.
+  // PX4 denies the start of a plan that it has only just taken. Its current item may be asked for in vain.
   const bool isEarly = status == Status::CommandDenied && what == FlightOrder::Start && tries_ == 1;
-  const bool isAgain = isWorthRetry(status) || status == Status::NoHome || isEarly;
+  const bool isAgain = isWorthRetry(status) || status == Status::NoHome || status == Status::OtherItem || isEarly;
   triedMs_ = nowMs_;
   if (isInFlight()) {
     if (isAgain && tries_ < kOrderTries) {

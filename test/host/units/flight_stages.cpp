@@ -143,7 +143,7 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       // It flies, if to another item, or without saying so; but not where it is not armed.
       "fly beat >upload =accepted >start armed! =otheritem flying",
       "fly beat >upload =accepted >start armed! =unconfirmed flying",
-      "fly beat >upload =accepted >start =otheritem ended/refusal",
+      "fly beat >upload =accepted >start =otheritem notready beat5 >start armed! =done flying",
       // It is not ready: every 5 s again, for five minutes.
       NOTREADY "beat3 > beat >start =failed notready beat4 > beat >start armed! =done flying",
       "fly beat >upload =unconfirmed notready beat10 > beat >upload =accepted >start",

@@ -34,7 +34,7 @@ TEST_CASE("a copter takes off, flies to places, and is given back to its mission
   // In its mode already: without the flag that changes the mode.
   CHECK(ORDERED(copter, goTo(kPlace, 30.25_m)) == "2: I192 frame 6 -1 0 0 nan -353630000 1491652374 30.25");
   CHECK(ORDERED(copter, goTo(kPlace, aboveSeaLevel(630.25_m))) ==
-        "2: I192 frame 0 -1 0 0 nan -353630000 1491652374 630.25");
+        "2: I192 frame 5 -1 0 0 nan -353630000 1491652374 630.25");
   CHECK(ORDERED(copter, goTo(kPlace, aboveTerrain(30_m))) == "2: I192 frame 11 -1 0 0 nan -353630000 1491652374 30");
   CHECK(ORDERED(copter, setSpeed(7.5_mps)) == "1: L178 1 7.5 -1 0 0 0 0");
   CHECK((copter.steering.step() == SteerStep::Command));
@@ -66,9 +66,9 @@ TEST_CASE("PX4 is asked whether it flies, where home is and how high it is, and 
   px4.mode = kPx4Hold;  // it has come to its height
   px4.pass(1000);
   CHECK(ORDERED(px4, goTo(kPlace, 30.5_m)) ==
-        "2: L512 245 0 0 0 0 0 0, L512 242 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 614.5");
+        "2: L512 245 0 0 0 0 0 0, L512 242 0 0 0 0 0 0, I192 frame 5 -1 0 0 nan -353630000 1491652374 614.5");
   CHECK(ORDERED(px4, goTo(kPlace, aboveSeaLevel(630.25_m))) ==
-        "2: L512 245 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 630.25");
+        "2: L512 245 0 0 0 0 0 0, I192 frame 5 -1 0 0 nan -353630000 1491652374 630.25");
   CHECK(ORDERED(px4, setSpeed(7_mps)) == "1: L178 1 7 -1 0 0 0 0");
   CHECK(ORDERED(px4, pause()) == "2: L512 245 0 0 0 0 0 0, L192 -1 0 0 nan nan nan nan");
   CHECK(ORDERED(px4, resume()) == "2: L512 245 0 0 0 0 0 0, L176 1 4 4 0 0 0 0");
@@ -77,7 +77,7 @@ TEST_CASE("PX4 is asked whether it flies, where home is and how high it is, and 
   CHECK(ORDERED(px4, landNow()) == "2: L512 245 0 0 0 0 0 0, L176 1 4 6 0 0 0 0");
   px4.pass(600);
   CHECK(ORDERED(px4, goTo(kPlace, aboveSeaLevel(630_m))) ==
-        "2: L512 245 0 0 0 0 0 0, I192 frame 0 -1 1 0 nan -353630000 1491652374 630");
+        "2: L512 245 0 0 0 0 0 0, I192 frame 5 -1 1 0 nan -353630000 1491652374 630");
 }
 
 TEST_CASE("PX4 that would fly its mission, take off, or miss its targets, when it is armed is set to HOLD first") {

@@ -441,7 +441,7 @@ TEST_CASE("PX4 that comes to the top of its takeoff while an order begins is sti
     px4.pass(5);
     px4.show(kPx4Hold);
     CHECK((px4.end() == Status::Done));
-    CHECK(px4.said() == (order == 0 ? "L512 245 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 620"
+    CHECK(px4.said() == (order == 0 ? "L512 245 0 0 0 0 0 0, I192 frame 5 -1 0 0 nan -353630000 1491652374 620"
                                     : "L512 245 0 0 0 0 0 0, L176 1 4 4 0 0 0 0"));
   }
 }
