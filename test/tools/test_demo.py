@@ -63,6 +63,16 @@ def test_a_flight_is_judged_by_what_the_vehicle_does(example, settings, is_good,
     assert good == is_good and verdict in text.splitlines()[-1]
 
 
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_the_flight_of_the_readme_is_good_as_it_stands(autopilot, tmp_path):
+    text = (ROOT / "README.md").read_text().split("## A flight", 1)[1]
+    folder = tmp_path / "ReadmeFlight"
+    folder.mkdir()
+    (folder / "ReadmeFlight.ino").write_text(text.split("```cpp\n", 1)[1].split("```", 1)[0])
+    good, text = shown(str(folder), autopilot=autopilot, fly_s=200.0)
+    assert good and "is disarmed on the ground at home" in text.splitlines()[-1], text
+
+
 @pytest.mark.slow
 def test_each_work_is_done_and_the_landing_is_known_on_a_lossy_link():
     good, text = shown("WorkAtWaypoints", byte_loss_percent=3, seed=5)

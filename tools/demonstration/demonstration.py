@@ -16,8 +16,9 @@ from _command import explained
 from building import BuildFailed, build_sketch
 from planning import judge
 from simulation.enumerators import texts_of
-from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item, Px4
 from simulation.fake_autopilot.flight import Place
+from simulation.fake_autopilot.px4 import AUTO, SUB_RTL
 from simulation.mega import Mega
 from simulation.mega import library as mega_library
 from simulation.mega.realtime import RealTime
@@ -39,6 +40,7 @@ from .words import item_in_words, message_in_words
 # The commands of a plan that lead to a place, and all that are flown.
 PLACES = (16, 17, 18, 19, 31, 82)
 FLOWN = range(16, 93)
+RETURN = 20
 
 DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
 
@@ -230,6 +232,8 @@ class Demonstration:
                 if self._item is not None and self._item < len(plan) and plan[self._item].command in PLACES:
                     self._visit(here)
                 self._item = flight.index
+            elif flight.index is None and self._is_returning():
+                self._item = self._return_behind(self._item)
         elif self._was_armed and self._disarmed_at is None:
             self._disarmed_at = now
             self._left_out += self._items_behind(self._item)
@@ -240,6 +244,18 @@ class Demonstration:
         is_elsewhere = here._replace(height=home.height).distance(home) > MOVED_M  # not above home
         if is_elsewhere and (not self._visited or self._visited[-1].distance(here) > MOVED_M):
             self._visited.append(here)
+
+    def _is_returning(self) -> bool:
+        """PX4 and a plane carry out a plan's return by their mode."""
+        if isinstance(self.autopilot, Px4):
+            return (self.autopilot.main_mode, self.autopilot.sub_mode) == (AUTO, SUB_RTL)
+        return getattr(self.autopilot, "mode", "") == "RTL"
+
+    def _return_behind(self, last: int | None) -> int | None:
+        """The next item that is flown behind this one, if it is a return; else this one."""
+        plan = self.autopilot.plan()
+        behind = [] if last is None else [at for at in range(last + 1, len(plan)) if plan[at].command in FLOWN]
+        return behind[0] if behind and plan[behind[0]].command == RETURN else last
 
     def _items_behind(self, last: int | None) -> int:
         """How many items that are flown lie behind this one of the plan."""
