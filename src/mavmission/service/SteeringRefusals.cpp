@@ -192,7 +192,9 @@ uint16_t Steering::wantedMode() const {
     case OrderMode::FlyingTo: return client_.commands().numberOf(isInHold ? FlightMode::Hold : FlightMode::Guided);
     case OrderMode::Mission: return client_.commands().numberOf(FlightMode::Auto);
     case OrderMode::Returning: return client_.commands().numberOf(FlightMode::ReturnToLaunch);
-    case OrderMode::LandingHere: return client_.commands().numberOf(FlightMode::Land);
+    case OrderMode::LandingHere:
+      // A plane that has said that it can hover may call itself a plane all the same.
+      return isPlane() && canHover_ ? kQLand : client_.commands().numberOf(FlightMode::Land);
   }
   return kNoMode;
 }

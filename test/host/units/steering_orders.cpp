@@ -139,6 +139,7 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
   plane.pass(600);
   CHECK(ORDERED(plane, goTo(kPlace, 50_m)) == "2: I192 frame 6 -1 0 0 nan -353630000 1491652374 50");
   CHECK(ORDERED(plane, resume()) == "1: L176 1 10 0 0 0 0 0");
+  CHECK(ORDERED(plane, landNow()) == "2: L176 1 20 0 0 0 0 0");
 
   Aircraft fixed(ClientOnLine::kArduPilot, 1);
   fixed.stand(0);
@@ -146,6 +147,10 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
   CHECK((fixed.end() == Status::CommandUnsupported));
   CHECK(fixed.said() == "L512 245 0 0 0 0 0 0");
   CHECK((fixed.steering.step() == SteerStep::AskLanded));
+  fixed.fly(kPlaneAuto);
+  fixed.steering.landNow();
+  CHECK((fixed.end() == Status::NoSuchMode));
+  CHECK(fixed.said() == "");
 
   // Its type in a heartbeat is 20, a VTOL's.
   Aircraft quadPlane(ClientOnLine::kArduPilot, 20);
