@@ -39,5 +39,7 @@ def opened(server):
 def page(opened):
     """It, and after each test: no error and no warning in the browser's console."""
     opened.browser.complaints()
+    opened.pause(False)
     yield opened
     assert opened.browser.complaints() == []
+    opened.pause(True)
