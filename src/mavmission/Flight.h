@@ -104,7 +104,7 @@ class Flight : private detail::Listener, private detail::FollowRules {
   bool isSteered_ : 1;           // an order has been given in this flight
   bool comesDown_ : 1;           // and it was to land, or to return
   bool isOnTheWay_ : 1;          // to where it was sent
-  bool isAsked_ : 1;             // by begin(): a person asks for the aircraft
+  bool isAsked_ : 1;             // by begin(), until the next update(): a person asks for the aircraft
 
  private:
   static void take(detail::Listener& listener, const detail::FrameParser& frame);

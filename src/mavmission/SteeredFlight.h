@@ -37,9 +37,9 @@ class SteeredFlight : public Flight {
   // order takes the aircraft from a pilot or a failsafe. Otherwise Status::Transferring, and why() says if the
   // autopilot refuses the order.
   Status goTo(const LatLon& place, Altitude altitude);
-  // Flies home and lands, or lands here: the state becomes Landed. On the ground the flight is given up. After begin()
-  // also an aircraft that is in the air already, such as after a reset or a long silence, while its mode is one in
-  // which it flies by itself; else Status::PilotHasIt.
+  // Flies home and lands, or lands here: the state becomes Landed. On the ground the flight is given up. Right after
+  // begin() also an aircraft that is in the air already, such as after a reset or a long silence, while its mode is one
+  // in which it flies by itself; else Status::PilotHasIt.
   Status goHome() { return comeDown(detail::FlightOrder::Home); }
   Status land() { return comeDown(detail::FlightOrder::Land); }
 

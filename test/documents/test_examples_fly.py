@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from benching.flights import STALL, firmware
+from building import build_sketch
 from example_runs import Run
 from simulation.fake_autopilot import mavlink
 from simulation.mega import Image
@@ -290,6 +291,41 @@ def test_a_button_lands_what_is_in_the_air_behind_a_long_cut_or_a_reset_but_noth
     assert story.lines[said:] == (refused if is_pilots else ["flying", "landed"]), story.lines
     assert story.autopilot.armed == is_pilots
     assert befalls != "a long cut" or story.lines[said - 1] == "ended by silence"
+
+
+ASKED_LONG_AGO = """
+#include <MavMission.h>
+#include <MavMissionMonitor.h>
+using namespace mavmission;
+MissionClient autopilot(TELEM);
+SteeredFlight flight(autopilot);
+void setup() {
+  CONSOLE.begin(115200);
+  beginTelem(57600);
+  flight.begin();
+}
+void loop() {
+  flight.update();
+  static bool isDone;
+  if (isDone || millis() < 6000) return;
+  isDone = true;
+  CONSOLE.println(toString(flight.land()));
+}
+"""
+
+
+@pytest.mark.slow
+def test_what_a_person_has_asked_for_long_ago_takes_no_aircraft_that_somebody_flies(tmp_path):
+    folder = tmp_path / "AskedLongAgo"
+    folder.mkdir()
+    (folder / "AskedLongAgo.ino").write_text(ASKED_LONG_AGO)
+    story = Story("StartMission", image=Image.load(build_sketch(folder).elf))
+    story.set_mode(4)  # GUIDED, by another station
+    story.run(1.5)
+    story.autopilot.armed = True
+    story.run(9.0)
+    assert story.lines == ["the aircraft is not in the air"]
+    assert story.orders == [] and story.autopilot.armed
 
 
 @pytest.mark.slow

@@ -18,7 +18,7 @@ from .simulator import HOME, Port, Simulator, free_port
 from .vehicles import Copter, rotation
 
 STEP_S = 0.004
-SLOWLY = 5  # each so many steps the compass and the barometer, and each ten times so many the GPS
+SLOWLY = 5  # [steps] from one reading of the compass and the barometer to the next; the GPS takes ten times as long
 BOOTS_S, ANSWERS_S = 0.005, 1.0  # by the computer's clock: so long it may take to answer a step
 EARTH_M = 6371000.0
 FIELD = (0.228, 0.050, -0.525)  # of the earth, at home [gauss, to the north, east and down]

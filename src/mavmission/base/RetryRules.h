@@ -183,7 +183,7 @@ struct FlightRules {
   static constexpr uint16_t kReadyAgainMs = 5000;  // from a refusal on the ground to the next attempt
   // From an upload that was acknowledged without a proof to the next one, which late answers to it can no longer spoil.
   static constexpr uint16_t kProvenAgainMs = ClientRules::kLeftoversMs + 1000;
-  static constexpr uint16_t kOrderAgainMs = 1000;     // the same in the air
+  static constexpr uint16_t kOrderAgainMs = 1000;     // from a refusal in the air to the next attempt
   static constexpr uint16_t kLossySilenceMs = 10000;  // without a heartbeat, on the ground and on a lossy link
   static constexpr uint8_t kOrderTries = 30;          // of an order in the air
   // In heartbeats, one a second: without MISSION_CURRENT that says that a return is the plan's own; and from the end of

@@ -93,6 +93,7 @@ bool Flight::goOn() {
 uint32_t Flight::inStateMs() const { return stages_.inStateMs(millis()); }
 
 bool Flight::update() {
+  isAsked_ = false;  // what a person has asked for is done at once, or not at all
   autopilot_.update();
   stages_.setNow(millis());
   const bool hasEnded = stages_.running() != FlightOrder::None && !autopilot_.isBusy();
