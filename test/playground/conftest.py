@@ -26,20 +26,23 @@ def server(folder):
     serving.close()
 
 
-@pytest.fixture(scope="session")
-def opened(server):
-    """A page that has loaded; tests begin run after run on it."""
-    with Browser() as browser:
-        page = Page(browser, server)
-        page.open()
-        yield page
+# The page on which tests begin run after run, while there are tests of this folder.
+OPEN: list[Page] = []
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item, nextitem):
+    """A run goes on as long as its page is open, and takes half a processor."""
+    if OPEN and (nextitem is None or nextitem.path.parent != item.path.parent):
+        OPEN.pop().browser.close()
 
 
 @pytest.fixture
-def page(opened):
-    """It, and after each test: no error and no warning in the browser's console."""
-    opened.browser.complaints()
-    opened.pause(False)
-    yield opened
-    assert opened.browser.complaints() == []
-    opened.pause(True)
+def page(server):
+    """One that has loaded, and after each test: no error and no warning in the browser's console."""
+    if not OPEN:
+        OPEN.append(Page(Browser(), server))
+        OPEN[0].open()
+    OPEN[0].browser.complaints()
+    yield OPEN[0]
+    assert OPEN[0].browser.complaints() == []

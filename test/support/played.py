@@ -61,8 +61,6 @@ return Object.fromEntries(found.map((one) => {
 }));
 """
 
-_PAUSE = "const button = document.getElementById('pause'); if (button.textContent === arguments[0]) button.click();"
-
 
 class Page:
     """One page that has been opened; a run of it after another."""
@@ -98,10 +96,6 @@ class Page:
     def begin(self, hash_: str) -> None:
         """Another address on the same page: everything begins anew."""
         self.browser.run(_GO, hash_)
-
-    def pause(self, is_paused: bool) -> None:
-        """A run goes on as long as the page is open, and takes half a processor."""
-        self.browser.run(_PAUSE, "Pause" if is_paused else "Go on")
 
     def drop(self, name: str, text: str) -> None:
         self.browser.run(_DROP, name, text)

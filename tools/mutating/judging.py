@@ -52,10 +52,6 @@ def judge(
 ) -> list[Verdict]:
     """In the order given, so many at a time. `told` hears of each when it is known."""
     work = list(mutants)
-    for subject, path in dict.fromkeys((subject, mutant.path) for subject, mutant in work):
-        for killer in killers(subject):
-            if killer.includers(path):
-                killer.limits_s  # noqa: B018  (each is made, and passes on the library as it is)
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
         desks: queue.SimpleQueue[Desk] = queue.SimpleQueue()
         for number in range(jobs):
@@ -97,11 +93,10 @@ class Desk:
         together = Together(self.place, self.overlay, mutants)
         found: set[int] = set()
         for killer in killers(subject):
-            asked = {
-                number: Remembered("killed", killer, mutant)
-                for number, mutant in together.mutants.items()
-                if number not in found
-            }
+            left = {number: mutant for number, mutant in together.mutants.items() if number not in found}
+            if len(left) < FEWEST:
+                break
+            asked = {number: Remembered("killed", killer, mutant) for number, mutant in left.items()}
             if sum(not remembered.outcome for remembered in asked.values()) >= FEWEST:
                 try:
                     program = together.program(killer)
@@ -114,14 +109,10 @@ class Desk:
             found |= {number for number, remembered in asked.items() if remembered.outcome == killer.killer}
 
     def judge(self, subject: Subject, mutant: Mutant) -> Verdict:
-        known = {killer: Remembered("killed", killer, mutant) for killer in killers(subject)}
-        for killer, remembered in known.items():
-            if remembered.outcome == killer.killer:
-                return Verdict(mutant, killer.killer, remembered.reason)
         self.overlay.put(mutant.path, mutant.text)
         self.made = {}
         try:
-            return self.tried(mutant, known)
+            return self.tried(subject, mutant)
         finally:
             self.overlay.restore(mutant.path)
 
@@ -135,9 +126,11 @@ class Desk:
         ]
         return texts[0] == texts[1]
 
-    def tried(self, mutant: Mutant, known: dict[Program, Remembered]) -> Verdict:
+    def tried(self, subject: Subject, mutant: Mutant) -> Verdict:
+        """By one program after the other: those behind the one that finds it are not made at all."""
         is_looked_at = False
-        for killer, remembered in known.items():
+        for killer in killers(subject):
+            remembered = Remembered("killed", killer, mutant)
             # Under the sanitizers an object does not say that the code is the same; asking the preprocessor takes long.
             if not remembered.outcome and killer.is_sanitized and not is_looked_at:
                 if self.is_left_out(mutant):
@@ -147,9 +140,10 @@ class Desk:
                 remembered.keep(*self.run(killer, mutant))
             if remembered.outcome in (killer.killer, NO_CODE):
                 return Verdict(mutant, remembered.outcome, remembered.reason)
-        code = Remembered("code", list(known)[-1], mutant)
+        last = killers(subject)[-1]
+        code = Remembered("code", last, mutant)
         if not code.outcome:
-            code.keep(self.code(list(known)[-1], mutant), "")
+            code.keep(self.code(last, mutant), "")
         return Verdict(mutant, code.outcome)
 
     def code(self, program: Program, mutant: Mutant) -> str:
