@@ -156,7 +156,7 @@ class Betaflight(Inav):
         if not self._to_read():
             self._reading = None
 
-    def _on_request(self, message, sender, now: float) -> None:
+    def _on_request(self, message, sender, now: float, in_floats: bool = False) -> None:
         if self._reading is not None and sender == self._sender:
             super()._on_request(message, sender, now)
 

@@ -138,6 +138,8 @@ class Inav(FakeAutopilot):
             return UNSUPPORTED if one.command == _ROI else UNSUPPORTED_FRAME
         if one.command in _UNPLACED and one.frame != mavlink.MAV_FRAME_MISSION:
             return UNSUPPORTED_FRAME
+        if one.command == _RETURN and one.frame not in (*_WITH_PLACE, mavlink.MAV_FRAME_MISSION):
+            return UNSUPPORTED_FRAME
         if (one.command == _LOITER and not 0 <= one.param1 <= _MOST) or \
                 (one.command == _TURN and not 0 <= one.param1 < 360) or \
                 (one.command == _JUMP and not 0 <= one.param1 < _MOST):
@@ -170,22 +172,29 @@ class Inav(FakeAutopilot):
     def _stop_reading(self, now: float) -> None:
         self._reading = None
 
-    def _on_request(self, message, sender, now: float) -> None:
+    def _on_request(self, message, sender, now: float, in_floats: bool = False) -> None:
         if self._reading is None or message.seq not in (self._reading, self._reading - 1) \
                 or message.seq >= len(self._to_read()):
             self._reading = None
             return self._ack(INVALID_SEQUENCE, now, sender)
         one = self._as_read(self._to_read()[message.seq])
-        self.answer(mavlink.MAVLink_mission_item_int_message(
-            *sender, message.seq, one.frame, one.command, 0, 1, *one[4:8], int(one.x), int(one.y), one.z,
-            message.mission_type), now)
+        if in_floats:  # and its frames by their older numbers
+            older = {5: 0, 6: 3}.get(one.frame, one.frame)
+            self.answer(mavlink.MAVLink_mission_item_message(
+                *sender, message.seq, older, one.command, 0, 1, *one[4:8], f32(one.x / 1e7), f32(one.y / 1e7), one.z,
+                message.mission_type), now)
+        else:
+            self.answer(mavlink.MAVLink_mission_item_int_message(
+                *sender, message.seq, one.frame, one.command, 0, 1, *one[4:8], int(one.x), int(one.y), one.z,
+                message.mission_type), now)
         self._reading = message.seq + 1
         self.at("reading", now + DOWNLOAD_S, self._stop_reading)
 
     def _on_older_request(self, message, sender, now: float) -> None:
-        """iNav would answer with a MISSION_ITEM, which is not imitated; MAVSDK's server says that it takes it not."""
+        """iNav answers with its places as floats; MAVSDK's server says that it takes it not."""
         if self.takes_all:
-            self._ack(UNSUPPORTED, now, sender)
+            return self._ack(UNSUPPORTED, now, sender)
+        self._on_request(message, sender, now, in_floats=True)
 
     def _on_ack(self, message, sender, now: float) -> None:
         self._reading = None

@@ -11,7 +11,11 @@ from simulation.firmware import LIBRARY
 from simulation.host_build import HOST, build_host
 
 SOURCES = [HOST / "generic" / "rows.cpp", HOST / "units" / "main.cpp"]
-PARTS = [LIBRARY / "mavmission" / "autopilot" / name for name in ("Commands.cpp", "Vehicle.cpp")]
+PARTS = [
+    LIBRARY / "mavmission" / name
+    for name in ("autopilot/Commands.cpp", "autopilot/Vehicle.cpp", "base/FloatBits.cpp", "plan/Comparison.cpp",
+                 "plan/KeptValue.cpp")
+]  # fmt: skip
 
 
 @pytest.mark.scenario(29, "Betaflight and iNav, as MAVMISSION_GENERIC_FIRMWARE names them: the rows of each")

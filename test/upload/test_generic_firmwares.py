@@ -67,6 +67,32 @@ def test_what_it_takes_is_read_back_and_verified_and_what_it_does_not_take_is_re
 
 
 @BY_MACRO
+def test_items_of_inav_are_compared_as_integers_where_bytes_are_lost(build_service):
+    """It knows the older request, too, and answers it with its places as floats: some metres beside them."""
+    service = built(build_service, "Inav")
+    service.upload(PLAN, proof="Always")
+    assert service.done() == "Accepted"
+    service.wire.lose(">", name="MISSION_REQUEST_INT", seq=2, times=3)
+    service.verify(PLAN)
+    assert service.done() == "Verified"
+    assert service.heard("MISSION_REQUEST") == []
+
+
+@BY_MACRO
+@pytest.mark.parametrize(
+    "refused",
+    [item(115, frame=NO_PLACE, param1=-90.0), item(115, frame=NO_PLACE, param1=360.0),
+     item(201, frame=0, x=X, y=Y, z=590.0, param1=0.0)],
+)  # fmt: skip
+def test_what_inav_refuses_in_the_midst_of_an_upload_is_not_sent_to_it(build_service, refused):
+    """By then its items have replaced those of the plan aboard."""
+    service = built(build_service, "Inav")
+    service.upload([PLAN[0], refused, PLAN[1]])
+    assert (service.done(), service.state.failed_item, service.state.field) == ("NotKept", 1, "Param1")
+    assert service.heard("MISSION_COUNT") == []
+
+
+@BY_MACRO
 def test_betaflights_heights_above_home_prove_an_upload_and_no_plan_of_before(build_service):
     """It gives them above sea level, by a home that is not known here."""
     service = built(build_service, "Betaflight")

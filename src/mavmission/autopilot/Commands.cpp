@@ -253,7 +253,7 @@ const OwnRow kInInav[] PROGMEM = {
     {21, four(D, D, D, NoYaw), four(K, K, Height, kPlaceIsOptional)},  // NAV_LAND
     {115, four(To360, D, D, Zero), four(D, D, D, kHasNoPlace)},        // CONDITION_YAW
     {177, four(I16, I16, D, D), four(D, D, D, kHasNoPlace)},           // DO_JUMP
-    {201, four(U8, D, D, D), four(K, K, Height, 0)},                   // DO_SET_ROI
+    {201, four(Three, D, D, D), four(K, K, Height, 0)},                // DO_SET_ROI
 };
 
 // The rules of a command, from the autopilot's own table.

@@ -23,6 +23,7 @@ enum Kind : uint8_t {
   NoHold = 3,     // param1: a time to hold that is dropped, so that only 0 means the same
   Sign = 4,       // -1 for a negative number, else 1
   MountMode = 4,  // z: always reads back as 2
+  Three = 4,      // param1, in a table of its own: iNav takes a region of interest with a place alone
   Special = 5,    // param1: turns, the radius of a fence, the mode of a region of interest; param3: the radius of turns
   Zero = 5,       // param2, param4: dropped although another number than 0 would change the flight
   Centimetres = 6,  // 0 to 655.35, kept in whole hundredths, as an altitude is
@@ -34,7 +35,7 @@ enum Kind : uint8_t {
   Radius = 12,  // -65535 to 65535
   To180 = 13,   // -180 to 180
   To90 = 14,    // -90 to 90
-  To360 = 15,   // -180 to 360
+  To360 = 15,   // -180 to 360; in a table of its own 0 to 359
 };
 
 }  // namespace keeping

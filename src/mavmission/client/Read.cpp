@@ -142,8 +142,12 @@ void Client::ReadingPlan::send(Client& client, uint16_t nowMs, bool asksAhead) {
 void Client::ReadingPlan::sendRequest(Client& client, uint16_t wireItem) {
   // An autopilot that is neither ArduPilot nor PX4 may know only the older request. It is sent in turns with the newer
   // one: most know only that, and on a line that loses both of the first may be lost.
+  // (Neither of those that a macro names: Betaflight does not know it, and iNav answers it with its places as floats,
+  // metres beside those that were sent.)
   const uint8_t tries = client.reading_.transfer.tries();
-  const bool older = client.plan_.has(kMayBeOld) && tries >= DownloadRules::kNewRequestTries && (tries & 1) == 0;
+  const bool isNamed = isByOwn(client.plan_.keeper());
+  const bool older =
+      client.plan_.has(kMayBeOld) && !isNamed && tries >= DownloadRules::kNewRequestTries && (tries & 1) == 0;
   client.sendShort(older ? KeyIndex::MISSION_REQUEST : KeyIndex::MISSION_REQUEST_INT, wireItem, client.state_.type);
 }
 

@@ -119,6 +119,10 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
   if (isByArduPilot(keeper) && item.command >= kFenceCircleInclusion && (keeper & kOfFence) != 0 && index == 0) {
     return number(found);  // the radius of a circle (Areas)
   }
+  // What iNav does not take, or rounds, differs between its versions.
+  if (isByOwn(keeper) && kGenericFirmware == Firmware::Inav && (kind == Three || kind >= U1)) {
+    return fromBits(kNotKnown);
+  }
   switch (kind) {
     case NoHold: return 0;
     case Sign: return (bits & 0x80000000) != 0 ? -1 : 1;

@@ -1,6 +1,7 @@
 // The rows of Betaflight and iNav, in a library that was compiled for one of the two (MAVMISSION_GENERIC_FIRMWARE).
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include "mavmission/autopilot/Commands.h"
 #include "mavmission/autopilot/Personality.h"
 #include "mavmission/autopilot/Rules.h"
+#include "mavmission/plan/Comparison.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -105,5 +107,32 @@ TEST_CASE("which of its commands have a place") {
     for (const uint16_t command : {20, 115, 177}) CHECK(rulesOfCommand(command).has(kHasNoPlace));
     CHECK_FALSE(rulesOfCommand(201).has(kHasNoPlace));
     CHECK(kindOfParam(115, 4) == keeping::Zero);  // a turn by an angle is refused
+  }
+}
+
+TEST_CASE("iNav's headings are 0 to 359, and its regions of interest have a place: it refuses others in mid-upload") {
+  if (kIsBetaflight) return;
+  const struct {
+    uint16_t command;
+    float param1;
+    bool isTaken;
+  } kCases[] = {
+      {115, 0, true},    {115, 359, true},   {115, 360, false},    {115, 361, false}, {115, -1, false},
+      {115, -90, false}, {115, 45.5, false}, {201, 3, true},       {201, 0, false},   {201, 2, false},
+      {201, 4, false},   {201, -3, false},   {201, 3.25f, false},  {201, 259, false}, {177, 32767, true},
+      {19, 32767, true}, {19, 32768, false}, {19, 32767.5, false},
+  };
+  for (const auto& one : kCases) {
+    CAPTURE(one.command);
+    CAPTURE(one.param1);
+    MissionItem item{};
+    item.command = one.command;
+    item.frame = Frame::GlobalRelative;
+    item.autocontinue = 1;
+    item.param1 = one.param1;
+    const Keeper keeper = keeperOf(kThis, kCopter, PlanType::Mission);
+    CHECK((difference(item, item, keeper) == (one.isTaken ? ItemField::None : ItemField::Param1)));
+    // Some versions refuse it, some round it.
+    if (!one.isTaken) CHECK(std::isnan(keptValue(item, ItemField::Param1, keeper)));
   }
 }
