@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, Protocol
@@ -49,13 +50,14 @@ class GroundStation:
         self._mav = mavlink.MAVLink(None, *ADDRESS)
         self._mav.robust_parsing = True
         self._beat_at = -1.0
+        self.is_silent = False  # it sends no heartbeats
         self._inbox: list[Any] = []
         self.latest: dict[str, Any] = {}
         self.modes: list[tuple[float, int, bool]] = []  # (s, custom mode, armed), at each change
         self.texts: list[tuple[float, str]] = []
 
     def tick(self) -> None:
-        if self._time.now - self._beat_at >= 1.0:
+        if self._time.now - self._beat_at >= 1.0 and not self.is_silent:
             self._beat_at = self._time.now
             self._say(mavlink.MAVLink_heartbeat_message(mavlink.MAV_TYPE_GCS, 8, 0, 0, 4, 3))
 
@@ -139,6 +141,19 @@ class GroundStation:
         """HEARTBEAT.custom_mode; PX4 has two numbers in it."""
         px4s = (number >> 16 & 0xFF, number >> 24)
         self.command(mavlink.MAV_CMD_DO_SET_MODE, 1, *(px4s if any(px4s) else (number,)))
+
+    def set_current(self, seq: int) -> None:
+        """The item that is flown from now on, with home counted."""
+        message = mavlink.MAVLink_mission_set_current_message(*AUTOPILOT, seq)
+        self._asked(message, lambda one: one.get_type() == "MISSION_CURRENT" and one.seq == seq)
+
+    def set_parameter(self, name: str, value: float) -> None:
+        """PX4 wants a whole number's bits."""
+        number, kind = float(value), mavlink.MAV_PARAM_TYPE_REAL32
+        if isinstance(value, int) and not self.homes:
+            (number,), kind = struct.unpack("<f", struct.pack("<i", value)), mavlink.MAV_PARAM_TYPE_INT32
+        message = mavlink.MAVLink_param_set_message(*AUTOPILOT, name.encode(), number, kind)
+        self._asked(message, lambda one: one.get_type() == "PARAM_VALUE" and one.param_id == name)
 
     def upload(self, items: Sequence[Item]) -> int:
         """The MAV_MISSION_RESULT."""

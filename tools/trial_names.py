@@ -54,15 +54,33 @@ PRINTED = {
 }
 FLYING = ("StartMission", "StartButton", "WorkAtWaypoints", "NextWaypoint", "GoToPlaces", "FollowBeacon",
           "FlyByButtons")  # fmt: skip
-BEFALLS = ("undisturbed", "3 % of bytes", "a pilot lands", "a pilot disarms", "a pilot gives back",
-           "a pilot comes while loop() stands still", "a failsafe", "the cable is out", "the board is reset",
-           "loop() stands still")  # fmt: skip
-FLIGHTS = tuple(Flown(example, befalls) for befalls in BEFALLS for example in FLYING)
+PLANNED = FLYING[:4]
+SOME = ("StartMission", "NextWaypoint", "GoToPlaces", "FollowBeacon")
+PAUSED = "a station pauses it"
+FAILSAFES = ("the battery is low", "the ground station is lost", "the fence is breached")
+# What befalls a flight, and of which examples.
+BEFALLS = {
+    **dict.fromkeys(("undisturbed", "3 % of bytes", "a pilot lands", "a pilot disarms", "a pilot gives back",
+                     "a pilot comes while loop() stands still", "a failsafe", "the cable is out",
+                     "the board is reset", "loop() stands still"), FLYING),
+    "a station orders the return": FLYING,
+    **dict.fromkeys(("a station uploads another plan", "a station sets the current item", PAUSED), PLANNED),
+    **dict.fromkeys(FAILSAFES, SOME),
+}  # fmt: skip
+FLIGHTS = tuple(Flown(example, befalls) for befalls, examples in BEFALLS.items() for example in examples)
 
 
-# What is flown of which vehicle, and which examples are not for it: a plane does not keep the plan of its two.
-VEHICLES: dict[str, tuple[str, ...]] = {"arducopter": FLYING, "px4": FLYING, "ardurover": FLYING[:4], "arduplane": ()}
-NOT_FOR = {"px4": ("UploadByFile", "CheckParameters"), "arduplane": ("VerifyUpload", "UploadByFile")}
+# What is flown of which vehicle, what it refuses to fly, and which examples are not for it: a plane does not keep the
+# plan of its two.
+VEHICLES: dict[str, tuple[str, ...]] = {
+    "arducopter": FLYING, "px4": FLYING, "ardurover": PLANNED,
+    "arduplane": ("StartMission", "StartButton", "NextWaypoint"),
+    "quadplane": ("StartMission", "StartButton", "NextWaypoint", "GoToPlaces")}  # fmt: skip
+REFUSES = {"ardurover": ("GoToPlaces", "FollowBeacon"), "arduplane": ("WorkAtWaypoints", "GoToPlaces", "FollowBeacon"),
+           "quadplane": ("WorkAtWaypoints",)}  # fmt: skip
+NOT_FOR = {"px4": ("UploadByFile", "CheckParameters"),
+           **dict.fromkeys(("arduplane", "quadplane"), ("VerifyUpload", "UploadByFile"))}  # fmt: skip
+PRINTED |= {example: "ended by a refusal: " for example in ("WorkAtWaypoints", "GoToPlaces", "FollowBeacon")}
 
 
 def board_names() -> list[str]:
@@ -72,8 +90,8 @@ def board_names() -> list[str]:
 def is_for(vehicle: str, row: object) -> bool:
     """Whether this row of the table is played to it."""
     if isinstance(row, Flown):
-        return row.example in VEHICLES[vehicle]
-    return row not in NOT_FOR.get(vehicle, ())
+        return row.example in VEHICLES[vehicle] and (row.befalls != PAUSED or vehicle == "arducopter")
+    return row in REFUSES.get(vehicle, ()) if row in FLYING else row not in NOT_FOR.get(vehicle, ())
 
 
 def simulator_names(vehicle: str = "arducopter") -> list[str]:

@@ -14,6 +14,7 @@ HOME = (-353632621, 1491652374, 584.0)  # where the examples fly
 TRUTH = 255  # the system id of the truth
 SHOWN = (1, 33)  # SYS_STATUS, GLOBAL_POSITION_INT
 SHOWN_EACH_S = 0.1
+ANSWERED = (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAV_CMD_DO_PAUSE_CONTINUE)  # to the truth, and no more
 
 
 def an_autopilot(name: str) -> FakeAutopilot:
@@ -54,6 +55,7 @@ class StandIn:
         self.has_remote = True
         self.is_closed = False
         self.has_landed = False
+        self.fails = False  # by a parameter that the truth has set
         self.line, self.truth = Port(self._line_write), Port(self._truth_write)
         self._defect, self._hears = defect, hears
         self._from_truth, self._from_line = FrameSplitter(), FrameSplitter()
@@ -69,8 +71,10 @@ class StandIn:
             self.truth.unread += frame if to in (0, TRUTH) else b""
             self.line.unread += frame if to != TRUTH else b""
         self.show_truth()
-        if not self.has_remote:
+        if not self.has_remote or self.fails:
             self._fail()
+        if self.mode == "FBWA" and not self.autopilot.flight.sinking and self.autopilot.flight.airborne(self.now):
+            self.autopilot._land(self.now)  # as a pilot has it glide down
         if self._defect is not None:
             self._defect(self)
 
@@ -98,13 +102,17 @@ class StandIn:
         self.autopilot._advance(self.now)
         for frame, _ in self._from_truth.feed(data):
             message = message_in(frame)
-            if getattr(message, "command", 0) == mavlink.MAV_CMD_SET_MESSAGE_INTERVAL:
+            if getattr(message, "command", 0) in ANSWERED:
                 self.truth.unread += packed(mavlink.MAVLink_command_ack_message(message.command, 0), self._packer, 2)
+            elif getattr(message, "param_id", ""):
+                self.fails = message.param_value != 0.0
+                told = (message.param_id.encode(), message.param_value, message.param_type, 1, 0)
+                self.truth.unread += packed(mavlink.MAVLink_param_value_message(*told), self._packer, 2)
             elif message is not None:
                 self.autopilot._hear(message, self.now)
 
     def _fail(self) -> None:
-        """The remote control has failed: it returns."""
+        """The remote control has failed, or what else a failsafe is for: it returns."""
         autopilot = self.autopilot
         if autopilot.armed and self.mode not in ("RTL", "LAND"):
             self.set_mode("RTL")

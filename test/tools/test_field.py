@@ -17,7 +17,7 @@ from building import ROOT
 from fielding import Kept, Outcome, Runner, report, table
 from fielding.ardupilot import sensors
 from fielding.trials import RESULTS
-from fielding.vehicles import GRAVITY, Copter, Rover
+from fielding.vehicles import GRAVITY, Copter, Plane, QuadPlane, Rover
 from simulation import recordings
 from simulation.fake_autopilot import Item, mavlink
 from simulation.fake_autopilot.px4_missions import State
@@ -50,14 +50,16 @@ GOOD = {
         "example UploadMission", "example FenceAndRally", "example ReadTelemetry", "StartMission, undisturbed",
         "StartButton, a pilot lands", "StartMission, a failsafe", "GoToPlaces, a pilot disarms",
         "StartMission, the board is reset", "StartMission, the cable is out",
-        "GoToPlaces, a pilot comes while loop() stands still"),
+        "GoToPlaces, a pilot comes while loop() stands still", "StartMission, a station uploads another plan",
+        "StartButton, a station sets the current item", "WorkAtWaypoints, a station pauses it"),
     "px4": (
         "one operation right behind another", "a second station uploads behind it", trial_names.RANDOM_ITEMS,
         "example FenceAndRally", "StartMission, undisturbed", "StartMission, a failsafe", "FollowBeacon, a pilot lands",
-        "FlyByButtons, 3 % of bytes"),
+        "FlyByButtons, 3 % of bytes", "StartMission, the ground station is lost"),
     "ardurover": ("nothing is lost", "StartMission, undisturbed", "StartButton, a pilot lands",
-                  "NextWaypoint, the board is reset"),
-    "arduplane": ("example EnsureMission",),
+                  "NextWaypoint, the board is reset", "example GoToPlaces"),
+    "arduplane": ("example EnsureMission", "example WorkAtWaypoints", "StartMission, undisturbed"),
+    "quadplane": ("GoToPlaces, undisturbed",),
 }  # fmt: skip
 
 
@@ -94,7 +96,7 @@ def cut_short(stand_in: StandIn) -> None:
 def arms_again(stand_in: StandIn) -> None:
     """Armed by nobody, five seconds after a person has landed and disarmed it."""
     autopilot = stand_in.autopilot
-    if stand_in.mode in ("LAND", "HOLD") and autopilot.armed:
+    if stand_in.mode in ("LAND", "HOLD", "FBWA") and autopilot.armed:
         stand_in.has_landed = True
     if stand_in.has_landed and not autopilot.armed:
         stand_in.has_landed = False
@@ -102,11 +104,20 @@ def arms_again(stand_in: StandIn) -> None:
 
 
 def flies_on(stand_in: StandIn) -> None:
-    """The pilot's mode is undone after two seconds."""
+    """The mode of a pilot or a failsafe is undone after two seconds."""
     autopilot, crew = stand_in.autopilot, CREWS[stand_in.name]
-    if stand_in.mode == crew.takes and "undone" not in autopilot._timers:
+    if stand_in.mode in (crew.takes, crew.returns) and "undone" not in autopilot._timers:
         plan = "MISSION" if "MISSION" in crew.modes else "AUTO"
         autopilot.at("undone", stand_in.now + 2.0, lambda now: stand_in.set_mode(plan))
+
+
+def puts_back(stand_in: StandIn) -> None:
+    """The plan that another has replaced in flight is aboard again."""
+    held = stand_in.autopilot.missions[0].held
+    if stand_in.autopilot.armed:
+        stand_in.first = getattr(stand_in, "first", None) or list(held)
+    elif hasattr(stand_in, "first"):
+        held[:] = stand_in.first
 
 
 def keeps_otherwise(message):
@@ -136,6 +147,14 @@ FOUND = [
     ("px4", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "OtherPlanAboard right behind the upload of Item("),
     ("ardurover", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
     *((vehicle, *one) for vehicle in ("arducopter", "px4", "ardurover") for one in BOTH),
+    ("arduplane", *BOTH[0]),
+    ("arducopter", "StartMission, the battery is low", {"defect": flies_on}, "other modes came behind it: ['AUTO'"),
+    (
+        "arducopter",
+        "StartMission, a station uploads another plan",
+        {"defect": puts_back},
+        "another station's plan was replaced",
+    ),
 ]
 
 
@@ -238,6 +257,36 @@ def test_rover_drives_and_turns_as_its_servos_say():
     assert rover.turning[2] > 0.8 and rover.velocity[1] > 1.0 and rover.force[1] > 2.0
 
 
+def test_plane_takes_off_turns_and_lands_as_its_servos_say():
+    def flown(pulses: tuple[int, ...], seconds: float) -> None:
+        for _ in range(round(seconds / 0.00125)):
+            plane.step(pulses, 0.00125)
+
+    plane = Plane()
+    flown((0,) * 4, 0.2)
+    assert plane.position == [0.0] * 3 and plane.force == [0.0, 0.0, -GRAVITY]
+    flown((1500, 1500, 1900, 1500), 3.0)
+    assert plane.position[0] > 10 and plane.position[2] == 0.0  # not as fast yet as it must be
+    flown((1500, 1500, 1900, 1500), 3.0)
+    assert plane.position[2] < -1.0 and plane.force[2] < -GRAVITY
+    flown((1700, 1550, 1700, 1500), 0.5)
+    flown((1500, 1550, 1700, 1500), 2.0)
+    assert plane.velocity[1] > 3.0 and plane.turning[2] > 0.1  # to the side to which it is banked
+    plane.quaternion = [1.0, 0.0, 0.0, 0.0]
+    flown((1500, 1500, 1100, 1500), 30.0)
+    assert plane.position[2] == 0.0 and max(map(abs, plane.velocity)) < 0.1
+
+
+def test_quadplane_is_carried_by_its_motors_and_by_its_wing():
+    plane = QuadPlane()
+    for _ in range(1600):
+        plane.step((1500, 1500, 1100, 1500, *(1400,) * 4), 0.00125)
+    assert plane.position[2] < -0.3 and abs(plane.position[0]) < 0.1
+    plane.velocity = [12.0, 0.0, 0.0]
+    plane.step((1500, 1500, 1350, 1500, *(1000,) * 4), 0.00125)
+    assert plane.force[2] < -GRAVITY  # with what the motors have left
+
+
 def binary(file, text: str):
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text)
@@ -311,5 +360,6 @@ def test_tool_lists_its_trials():
     def run(*words: str) -> list[str]:
         return subprocess.run([ROOT / "tools" / "field", *words], capture_output=True, text=True).stdout.splitlines()
 
-    assert run("--list") == trial_names.simulator_names()
-    assert run("--list", "--only", "reset") == [one for one in trial_names.simulator_names() if "reset" in one]
+    names = [f"{one}: {name}" for one in trial_names.VEHICLES for name in trial_names.simulator_names(one)]
+    assert run("--list") == names
+    assert run("--list", "--only", "plane: Start") == [one for one in names if "plane: Start" in one]

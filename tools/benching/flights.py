@@ -19,9 +19,9 @@ from simulation.fake_autopilot.frames import FrameSplitter
 from simulation.fake_autopilot.px4 import custom_mode
 from simulation.fake_autopilot.vehicles import VEHICLES
 from simulation.wire import message_in
-from trial_names import PRINTED, Flown
+from trial_names import FAILSAFES, PAUSED, PLANNED, PRINTED, Flown
 
-from .scenarios import Result, placed
+from .scenarios import Result, item_of, placed
 
 HEARTBEAT_S = 1.2  # so late a state may be shown
 
@@ -32,6 +32,7 @@ class Crew(NamedTuple):
     modes: dict[str, int]  # name -> HEARTBEAT.custom_mode
     takes: str = "LOITER"  # the mode of a pilot who takes over
     lands: str | None = "LAND"  # None: it drives
+    disarms: bool = False  # a person does, when it stands
     returns: str = "RTL"
     shows_s: float = 0.3  # what leaves within this time of a person's order cannot have known of it
 
@@ -39,11 +40,26 @@ class Crew(NamedTuple):
 CREWS = {
     "arducopter": Crew(VEHICLES["copter"].modes),
     "ardurover": Crew(VEHICLES["rover"].modes, "HOLD", None),
+    "arduplane": Crew(VEHICLES["plane"].modes, lands="FBWA", disarms=True),
+    "quadplane": Crew(VEHICLES["quadplane"].modes, "QLOITER", "QLAND"),
     "px4": Crew({"TAKEOFF": custom_mode(4, 2), "HOLD": custom_mode(4, 3), "MISSION": custom_mode(4, 4),
                  "RTL": custom_mode(4, 5), "LAND": custom_mode(4, 6), "POSITION": custom_mode(3),
                  "OFFBOARD": custom_mode(6)}, "POSITION", shows_s=HEARTBEAT_S),
 }  # fmt: skip
-PLANNED = ("StartMission", "StartButton", "WorkAtWaypoints", "NextWaypoint")
+# What brings a failsafe about, as parameters of a vehicle or else of ArduPilot's; the last one switches it on.
+BROUGHT_ABOUT: dict[str, dict[str, dict[str, float]]] = {
+    "the battery is low": {
+        "": {"SIM_BATT_VOLTAGE": 9.0, "BATT_LOW_TIMER": 1, "BATT_LOW_VOLT": 10.5, "BATT_FS_LOW_ACT": 1},
+        "px4": {"CBRK_SUPPLY_CHK": 0, "SIM_BAT_DRAIN": 1.0, "SIM_BAT_MIN_PCT": 1.0, "COM_LOW_BAT_ACT": 2}},
+    "the ground station is lost": {
+        "": {"FS_GCS_ENABLE": 1},
+        **dict.fromkeys(("arduplane", "quadplane"), {"FS_GCS_ENABL": 1}),
+        "px4": {"COM_DL_LOSS_T": 5, "NAV_DLL_ACT": 2}},
+    "the fence is breached": {
+        "": {"FENCE_TYPE": 1, "FENCE_ALT_MAX": 1.0, "FENCE_ACTION": 1, "FENCE_ENABLE": 1},
+        "ardurover": {"FENCE_TYPE": 2, "FENCE_RADIUS": 5.0, "FENCE_ACTION": 1, "FENCE_ENABLE": 1},
+        "px4": {"GF_MAX_VER_DIST": 1.0, "GF_ACTION": 3}},
+}  # fmt: skip
 LANDINGS = {"NextWaypoint": 2}
 # The buttons of the examples, as (data register, bit) of the pin on a Mega, from the one that begins the flight.
 BUTTONS = {"StartButton": ((0x2C, 4),), "FlyByButtons": ((0x2C, 4), (0x2C, 5), (0x32, 5), (0x2C, 3))}
@@ -51,10 +67,14 @@ PRESSED_S = {"StartButton": 2.5, "FlyByButtons": 1.4}
 ORDERS = {"SET_MODE", "MISSION_COUNT", "MISSION_SET_CURRENT", "MISSION_CLEAR_ALL", "MISSION_START",
           "SET_POSITION_TARGET_GLOBAL_INT", "SET_POSITION_TARGET_LOCAL_NED"}  # fmt: skip
 QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL}
+DISARMING = "COMMAND_LONG 400 "
+TAKEOFF, LAND = mavlink.MAV_CMD_NAV_TAKEOFF, mavlink.MAV_CMD_NAV_LAND
 STATES = ("idle", "preparing", "not ready", "flying", "at the stop", "landed", "ended")
-ARMS_S, ENDS_S, PRINTS_S, PERSON_S, SILENT_S = 120.0, 400.0, 90.0, 45.0, 30.0
+ARMS_S, ENDS_S, PRINTS_S, PERSON_S, SILENT_S, LANDS_S = 120.0, 400.0, 90.0, 45.0, 30.0, 120.0
+STILL_CM_S = 30  # on the ground
 SILENCE_S = 5.0  # after so long a Flight takes the autopilot for gone
 FAULT_S = 12.0  # within which a sketch has noticed what befell it
+FAILS_S = 25.0  # within which a failsafe does what it is to do
 MOVED_M, HIGH_M = 2.0, 4.0  # it is under way, and as high as each flight goes
 STALL = "fieldStallMs"  # of the sketches that are flown
 
@@ -144,6 +164,9 @@ class Flight:
 
     def fly(self) -> None:
         world, truth = self.world, self.truth
+        if self.flown.befalls == "3 % of bytes":
+            world.wire.damage_bytes(lose=3.0)
+        world.power_on(firmware(self.flown.example))
         if self.flown.example in BUTTONS:
             world.run(5.0)
             self.press(0, PRESSED_S[self.flown.example])
@@ -154,8 +177,10 @@ class Flight:
         if befalls in ("undisturbed", "3 % of bytes"):
             self.to_the_end()
             self.judge_end()
-        elif befalls.startswith(("a pilot", "a failsafe")):
+        elif befalls.startswith(("a pilot", "a failsafe", "a station orders", *FAILSAFES)):
             self.behind_a_person()
+        elif befalls.startswith("a station"):
+            self.beside_a_station()
         else:
             self.behind_a_fault()
         for time, _ in self.said("landed"):
@@ -256,17 +281,18 @@ class Flight:
                 goes_on = self.stand_still()
                 world.run(self.chance.uniform(0.2, 1.8))
             came, own = world.now, truth.mode
-            if befalls == "a failsafe":
-                world.simulator.has_remote = False
-                mine |= {modes[crew.returns], modes.get("LAND", -1)}
-                world.until(lambda: truth.mode in mine, 10.0)
-            else:
+            returns = {modes[crew.returns], modes.get(crew.lands or "", -1)}
+            if befalls.startswith("a pilot"):
                 mine |= {modes[crew.takes]}
                 truth.set_mode(modes[crew.takes])
                 world.until(lambda: truth.mode in mine, 3.0)
+            elif own not in returns:
+                mine |= returns
+                self.bring_about()
+                world.until(lambda: truth.mode in mine, FAILS_S)
             if truth.mode not in mine:
-                self.result.notes.append(f"{befalls} did not come to be")
-                return
+                self.result.notes.append(f"{befalls}: this did not come to be")
+                return self.bring_down()
             # A sketch that has stood still hears of it by the next heartbeat.
             at = max(truth.modes[-1][0], goes_on + HEARTBEAT_S if goes_on > came else 0.0)
             if befalls == "a pilot lands":
@@ -286,13 +312,98 @@ class Flight:
             self.wrong(f"the console never said 'ended' behind it; its last state is {self.last_state!r}")
         self.bring_down()
 
+    def failsafe(self) -> dict[str, float]:
+        """The parameters that bring it about."""
+        table = BROUGHT_ABOUT.get(self.flown.befalls, {})
+        return table.get(self.world.simulator.name, table.get("", {}))
+
+    def bring_about(self) -> None:
+        """A return that is no pilot's."""
+        if self.flown.befalls == "a failsafe":
+            self.world.simulator.has_remote = False
+        elif self.flown.befalls in FAILSAFES:
+            for name, value in self.failsafe().items():
+                self.truth.set_parameter(name, value)
+            self.truth.is_silent = self.flown.befalls == "the ground station is lost"
+        else:
+            self.truth.set_mode(self.crew.modes[self.crew.returns])
+
     def land(self, mine: set[int]) -> None:
         """The truth does, or disarms what drives."""
-        if self.crew.lands is None:
-            self.truth.arm(False)
+        crew, truth = self.crew, self.truth
+        if crew.lands is not None:
+            mine.add(crew.modes[crew.lands])
+            truth.set_mode(crew.modes[crew.lands])
+        if crew.disarms:
+            self.world.until(self.is_still, LANDS_S)
+        if crew.disarms or crew.lands is None:
+            truth.arm(False)
+
+    def is_still(self) -> bool:
+        told = self.truth.latest["GLOBAL_POSITION_INT"]
+        return max(map(abs, (told.vx, told.vy, told.vz))) < STILL_CM_S
+
+    # A second station, which leaves the mode as it is
+
+    def beside_a_station(self) -> None:
+        world, truth, befalls = self.world, self.truth, self.flown.befalls
+        self.moment()
+        if self.crew.lands:
+            world.until(lambda: self.top > HIGH_M or not truth.armed, 30.0)
+        if not truth.armed:
+            self.result.notes.append("it was over before the station came")
             return
-        mine.add(self.crew.modes[self.crew.lands])
-        self.truth.set_mode(self.crew.modes[self.crew.lands])
+        came, is_one_plan = world.now, self.flown.example in ("StartMission", "StartButton")
+        counts = [one.message.count for one in world.wire.frames(">", "MISSION_COUNT")]
+        if befalls == PAUSED:
+            if truth.command(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 0) != mavlink.MAV_RESULT_ACCEPTED:
+                self.wrong("it could not be paused")
+            world.run(self.chance.uniform(5, 20))
+            if is_one_plan and (orders := self.orders(came + self.crew.shows_s)):
+                self.wrong(f"it sent {len(orders)} orders while it was paused, the first {orders[0]}")
+            truth.command(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 1)
+        elif befalls == "a station sets the current item":
+            truth.set_current(seq := self.chance.randint(truth.homes, counts[-1] - 1))
+            came = world.now
+            self.result.notes.append(f"the station set item {seq - truth.homes}")
+        else:
+            return self.behind_another_plan(counts[-1] - truth.homes)
+        self.result.notes.append(f"the station came at {came - self.began:.1f} s")
+        self.to_the_end()
+        ends = next((time for time, _ in self.said("landed", came)), world.now)
+        # A rover is disarmed at the end of its plan.
+        orders = [one for one in self.orders(came + self.crew.shows_s) if not one.startswith(DISARMING)]
+        if is_one_plan and orders:
+            self.wrong(f"it sent {len(orders)} orders behind the station, the first {orders[0]}")
+        if is_one_plan and self.armed_again(ends):
+            self.wrong("it was armed again behind its landing")
+        self.judge_end()
+
+    def behind_another_plan(self, own: int) -> None:
+        """Of another number of items, which is what tells it from ours on ArduPilot."""
+        world, truth = self.world, self.truth
+        here = truth.latest["GLOBAL_POSITION_INT"]
+        plan = [item_of(0)._replace(x=here.lat + 500 * index, y=here.lon, z=12.0) for index in range(own + 2)]
+        if self.crew.lands:
+            plan[0], plan[-1] = plan[0]._replace(command=TAKEOFF), plan[-1]._replace(command=LAND, z=0.0)
+        truth.upload_beside(plan)
+        if truth.placed_beside is None:
+            self.result.notes.append("the station's plan was refused")
+            return self.bring_down()
+        at = world.now + 3 * HEARTBEAT_S  # MISSION_CURRENT comes once a second, and the second one counts
+        self.result.notes.append(f"the station's plan came at {world.now - self.began:.1f} s")
+        is_over = self.last_state == "landed"
+        world.until(lambda: not truth.armed, LANDS_S)
+        world.run(PERSON_S / 2)
+        if orders := self.orders(at):
+            self.wrong(f"it sent {len(orders)} orders behind another station's plan, the first {orders[0]}")
+        if self.armed_again(at):
+            self.wrong("it was armed again behind another station's plan")
+        if not is_over and not self.last_state.startswith("ended by another station"):
+            self.wrong(f"another station's plan was flown, and the console's last state is {self.last_state!r}")
+        if placed(truth.received()[truth.homes :]) != truth.placed_beside:
+            self.wrong("another station's plan was replaced")
+        self.bring_down()
 
     def judge_kept(self, at: float, mine: set[int]) -> None:
         """Nothing of the sketch's behind this time."""
@@ -313,7 +424,6 @@ class Flight:
         world, befalls = self.world, self.flown.befalls
         self.moment()
         at = world.now
-        assert world.mega is not None
         if befalls == "the board is reset":
             world.mega.reset()
             world.until(lambda: not self.truth.armed, 150.0 if self.flown.example in PLANNED else 15.0)
@@ -346,7 +456,6 @@ class Flight:
 
     def stand_still(self) -> float:
         """loop() does, for 2 or 8 s from now on; when it goes on [s]."""
-        assert self.world.mega is not None
         ms = self.chance.choice((2000, 8000))
         self.world.mega.poke_int(STALL, ms)
         return self.world.now + ms / 1000
@@ -355,7 +464,9 @@ class Flight:
         """The truth lands what is still in the air."""
         if self.truth.armed:
             self.result.notes.append(f"brought down from {self.truth.height:.0f} m by the truth")
-            self.world.simulator.has_remote = True
+            self.world.simulator.has_remote, self.truth.is_silent = True, False
+            for name in [*self.failsafe()][-1:]:
+                self.truth.set_parameter(name, 0)
             self.land(set())
             self.world.until(lambda: not self.truth.armed, 90.0)
             if self.truth.armed:
@@ -389,6 +500,7 @@ def judge_aboard(world: Any, result: Result) -> None:
 def play_printed(world: Any, example: str, result: Result) -> None:
     """An example that does not arm, until it has printed that its work is done."""
     words = PRINTED[example]
+    world.power_on(firmware(example))
     began = world.now
     if not words:
         world.run(SILENT_S)

@@ -12,7 +12,7 @@ from functools import partial
 from pathlib import Path
 
 from .simulator import HOME, Port, Simulator, free_port
-from .vehicles import VEHICLES, Copter, Vehicle
+from .vehicles import Copter, Vehicle
 
 STEP_S = 0.00125  # two to a turn of its main loop: fewer, and it finds its gyroscopes too slow
 WHOLE_US = 1 + 2e-6  # it cuts each step to whole microseconds: none is to be cut
@@ -20,38 +20,31 @@ SERVOS = {18458: struct.Struct("<HHI16H"), 29569: struct.Struct("<HHI32H")}  # b
 
 # What a simulator needs to move a vehicle as simple as ours, and why.
 PARAMETERS = {
-    "SERIAL0_PROTOCOL": 2,  # the truth speaks MAVLink 2
-    "SERIAL1_PROTOCOL": 2,  # and so does the line, at the Mega's rate
-    "SERIAL0_BAUD": 921,
-    "SERIAL1_BAUD": 57,
-    "SIM_BAUDLIMIT_EN": 1,  # a port is no quicker than its rate
-    "LOG_BACKEND_TYPE": 0,  # no card to log to
-    "FS_GCS_ENABLE": 0,  # the truth comes and goes, and is no pilot's station
-    "FS_THR_ENABLE": 1,  # a lost remote control: it returns
+    # MAVLink 2 on the truth's port and on the line, which are no quicker than their rates.
+    "SERIAL0_PROTOCOL": 2, "SERIAL1_PROTOCOL": 2, "SERIAL0_BAUD": 921, "SERIAL1_BAUD": 57, "SIM_BAUDLIMIT_EN": 1,
+    "LOG_BACKEND_TYPE": 0, "BATT_MONITOR": 4,  # no card to log to, and a battery
+    "FS_GCS_ENABLE": 0, "FS_THR_ENABLE": 1,  # the truth is no pilot's station; without a remote control it returns
     # Calibrated, as an aircraft is that somebody has set up: without it nothing arms.
     **{f"COMPASS_OFS{which}_{axis}": value
        for which in ("", "2", "3") for axis, value in zip("XYZ", (5, 13, -18), strict=True)},
-    **{f"INS_ACC{which}OFFS_{axis}": 0.001 for which in ("", "2") for axis in "XYZ"},
-    **{f"INS_ACC{which}SCAL_{axis}": 1.001 for which in ("", "2") for axis in "XYZ"},
+    **{f"INS_ACC{which}{name}_{axis}": value for which in ("", "2") for axis in "XYZ"
+       for name, value in (("OFFS", 0.001), ("SCAL", 1.001))},
     **{f"RC{number}_{end}": value
        for number in range(1, 9) for end, value in (("MIN", 1000), ("TRIM", 1500), ("MAX", 2000))},
 }  # fmt: skip
+# Its places are near one another, and it returns only when the remote control has been lost for longer.
+PLANE: dict[str, float] = {"TRIM_THROTTLE": 25, "WP_RADIUS": 20, "WP_LOITER_RAD": 40, "RTL_ALTITUDE": 30,
+                           "FS_SHORT_ACTN": 3, "FS_LONG_ACTN": 1}  # fmt: skip
 PARAMETERS_OF: dict[str, dict[str, float]] = {
-    "arducopter": {
-        "FRAME_CLASS": 1,  # four motors
-        "FRAME_TYPE": 1,  # in an X
-        "MOT_THST_EXPO": 0,  # the thrust of ours is linear
-        "MOT_THST_HOVER": Copter.HOVERS,
-        "AUTO_OPTIONS": 3,  # arms in AUTO, and takes off without a stick
-        "ATC_RAT_YAW_P": 0.3,  # ours turns slowly
-    },
-    "ardurover": {
-        "FRAME_CLASS": 1,
-        "SERVO1_FUNCTION": 26,  # it is steered by servo 1
-        "SERVO3_FUNCTION": 70,  # and driven by servo 3
-        "FS_ACTION": 1,
-    },
-}
+    # Four motors in an X, whose thrust is linear; it arms in AUTO, takes off without a stick, and turns slowly.
+    "arducopter": {"FRAME_CLASS": 1, "FRAME_TYPE": 1, "MOT_THST_EXPO": 0, "MOT_THST_HOVER": Copter.HOVERS,
+                   "AUTO_OPTIONS": 3, "ATC_RAT_YAW_P": 0.3},
+    "ardurover": {"FRAME_CLASS": 1, "SERVO1_FUNCTION": 26, "SERVO3_FUNCTION": 70, "FS_ACTION": 1},  # as ours is driven
+    "arduplane": PLANE,
+    "quadplane": {**PLANE, "SCHED_LOOP_RATE": 400, "Q_ENABLE": 1, "Q_FRAME_CLASS": 1, "Q_FRAME_TYPE": 1,
+                  "Q_M_THST_EXPO": 0, "Q_M_THST_HOVER": Copter.HOVERS, "Q_M_PWM_MIN": 1000, "Q_M_PWM_MAX": 2000,
+                  "Q_ASSIST_SPEED": -1, "Q_GUIDED_MODE": 1},
+}  # fmt: skip
 
 
 def sensors(vehicle: Vehicle) -> str:
@@ -66,9 +59,6 @@ def sensors(vehicle: Vehicle) -> str:
 class ArduPilot(Simulator):
     firmware = "ArduPilot"
     clock = "in step: our physics hands it each moment (SIM_JSON)"
-
-    def __init__(self, binary: Path, folder: Path) -> None:
-        super().__init__(binary, VEHICLES[binary.name](), folder)
 
     def start(self, binary: Path) -> None:
         given = {**PARAMETERS, **PARAMETERS_OF.get(self.name, {})}

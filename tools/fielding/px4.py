@@ -15,44 +15,30 @@ from pathlib import Path
 from simulation.fake_autopilot import mavlink
 
 from .simulator import HOME, Port, Simulator, free_port
-from .vehicles import Copter, rotation
+from .vehicles import Copter
 
 STEP_S = 0.004
 SLOWLY = 5  # [steps] from one reading of the compass and the barometer to the next; the GPS takes ten times as long
 BOOTS_S, ANSWERS_S = 0.005, 1.0  # by the computer's clock: so long it may take to answer a step
 EARTH_M = 6371000.0
-FIELD = (0.228, 0.050, -0.525)  # of the earth, at home [gauss, to the north, east and down]
+FIELD = [0.228, 0.050, -0.525]  # of the earth, at home [gauss, to the north, east and down]
 IMU, COMPASS, BAROMETER = 0x3F, 0x1C0, 0x1A00  # HIL_SENSOR.fields_updated
 NOISE = {"accelerometer": 0.02, "gyroscope": 0.002, "compass": 0.001, "barometer": 0.005}  # without it they are broken
 LINE_RATE = 2880  # [bytes/s]: what PX4 makes of a port of 57600 baud for which no rate is set
 
 PARAMETERS = {
-    "MAV_SYS_ID": 1,
-    "COM_RC_IN_MODE": 1,  # the remote control is the truth's
-    "COM_FAIL_ACT_T": 0,  # a failsafe waits for nobody
-    "NAV_RCL_ACT": 2,  # a lost remote control: it returns
-    "NAV_DLL_ACT": 0,  # the truth comes and goes
-    "CBRK_SUPPLY_CHK": 894281,  # there is no power module
-    "SDLOG_BACKEND": 0,  # no card to log to
-    "SDLOG_MODE": -1,
-    "MPC_THR_HOVER": Copter.HOVERS,
-    "EKF2_MULTI_IMU": 0,  # one of each
-    "SENS_IMU_MODE": 1,
-    "EKF2_MULTI_MAG": 0,
-    "SENS_MAG_MODE": 1,
-    "EKF2_GPS_DELAY": 10,
-    "IMU_INTEG_RATE": 250,
-    "IMU_GYRO_FFT_EN": 0,
-}
+    # The remote control is the truth's, which comes and goes; without it it returns, and a failsafe waits for nobody.
+    "MAV_SYS_ID": 1, "COM_RC_IN_MODE": 1, "COM_FAIL_ACT_T": 0, "NAV_RCL_ACT": 2, "NAV_DLL_ACT": 0,
+    "CBRK_SUPPLY_CHK": 894281, "SDLOG_BACKEND": 0, "SDLOG_MODE": -1,  # no power module, and no card to log to
+    "MPC_THR_HOVER": Copter.HOVERS, "EKF2_GPS_DELAY": 10, "IMU_INTEG_RATE": 250, "IMU_GYRO_FFT_EN": 0,
+    "EKF2_MULTI_IMU": 0, "SENS_IMU_MODE": 1, "EKF2_MULTI_MAG": 0, "SENS_MAG_MODE": 1,  # one of each
+}  # fmt: skip
 
 
 class Px4(Simulator):
     firmware = "PX4"
     clock = "in step: our sensors hand it each moment (lockstep)"
     slice_s = STEP_S
-
-    def __init__(self, binary: Path, folder: Path) -> None:
-        super().__init__(binary, Copter(), folder)
 
     def start(self, binary: Path) -> None:
         server = socket.create_server(("127.0.0.1", 0))
@@ -109,13 +95,11 @@ class Px4(Simulator):
 
     def _sensors(self, is_slow: bool) -> bytes:
         vehicle = self.vehicle
-        matrix = rotation(vehicle.quaternion)
-        field = [sum(matrix[axis][way] * FIELD[axis] for axis in range(3)) for way in range(3)]
         height = HOME[2] - vehicle.position[2]
         (pressure,) = self._noisy([1013.25 * (1 - 2.25577e-5 * height) ** 5.25588], "barometer")
         return mavlink.MAVLink_hil_sensor_message(
             self._time_us(), *self._noisy(vehicle.force, "accelerometer"), *self._noisy(vehicle.turning, "gyroscope"),
-            *self._noisy(field, "compass"), pressure, 0.0, height, 25.0,
+            *self._noisy(vehicle.inside(FIELD), "compass"), pressure, 0.0, height, 25.0,
             IMU | is_slow * (COMPASS | BAROMETER)).pack(self._mav)  # fmt: skip
 
     def _gps(self) -> bytes:

@@ -16,20 +16,14 @@ def report(day: str, outcomes: Sequence[Outcome]) -> str:
     trials = [one for one in outcomes if not one.broke]
     against = [one for one in trials if one.contradictions]
     broken = [one for one in outcomes if one.broke]
-    lines = [
-        f"# tools/field: {', '.join(versions)}",
-        "",
-        f"{len(trials)} trials, {len(against)} with a contradiction; {len(broken)} came to nothing. Clock: {clock}.",
-        "",
-        "| | trials | with a contradiction | simulated |",
-        "|---|---|---|---|",
-    ]
+    counts = f"{len(trials)} trials, {len(against)} with a contradiction; {len(broken)} came to nothing."
+    lines = [f"# tools/field: {', '.join(versions)}", "", f"{counts} Clock: {clock}.", "",
+             "| | trials | with a contradiction | simulated |", "|---|---|---|---|"]  # fmt: skip
     for kind in KINDS:
         if own := [one for one in trials if one.kind == kind]:
             minutes = sum(one.simulated_s for one in own) / 60
-            lines.append(
-                f"| {kind} | {len(own)} | {sum(bool(one.contradictions) for one in own)} | {minutes:.0f} min |"
-            )
+            wrong = sum(bool(one.contradictions) for one in own)
+            lines.append(f"| {kind} | {len(own)} | {wrong} | {minutes:.0f} min |")
     lines += ["", "## Contradictions", ""]
     told = ((f"{one.vehicle}: {one.name}, seed {one.seed}", one) for one in against)
     lines += [f"- {name}: {words} (`{one.frames}`)" for name, one in told for words in one.contradictions] or ["None."]

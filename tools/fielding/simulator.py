@@ -12,14 +12,14 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from .vehicles import Vehicle
+from .vehicles import VEHICLES
 
 HOME = (-35.3632621, 149.1652374, 584.0)  # where the examples fly [degrees, m]
 GONE_S = 60.0  # by the computer's clock: what says nothing for so long stands still
 
 
 class Gone(Exception):
-    """The simulator has ended, or stands still; the text says what it said last."""
+    """The simulator has ended, stands still, or does not come up; the text says what it said last."""
 
 
 class Port:
@@ -61,8 +61,8 @@ class Simulator:
     line: Port
     truth: Port
 
-    def __init__(self, binary: Path, vehicle: Vehicle, folder: Path) -> None:
-        self.name, self.vehicle, self.folder = binary.name, vehicle, folder
+    def __init__(self, name: str, binary: Path, folder: Path) -> None:
+        self.name, self.vehicle, self.folder = name, VEHICLES[name](), folder
         self.has_remote = True  # a remote control in somebody's hand; False: it has failed
         self._log = open(folder / "simulator.log", "wb")
         self._process: Any = None

@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from benching.flights import Flight, firmware, play_printed
+from benching.flights import Flight, play_printed
 from benching.items import Row, fakes_differ, keep_rows, play_items
 from benching.scenarios import GRIDDED, SCENARIOS, SIMULATED, Result, perform
 from benching.sketch import SOURCE
@@ -26,7 +26,6 @@ from .world import World
 
 ROUNDS = 40  # of random items in a trial
 FOUND_S = 4.0  # within which the board has heard the simulator
-PERCENT = 3.0
 RESULTS = "trials.jsonl"
 
 
@@ -35,10 +34,6 @@ class Trial(NamedTuple):
     kind: str
     row: Any  # of the table
     vehicle: str
-
-    @property
-    def to_fly(self) -> bool:
-        return self.kind in ("flights", "examples") or getattr(self.row, "to_fly", False)
 
 
 @dataclass
@@ -104,9 +99,7 @@ class Kept:
 class Runner:
     """Runs trials; `start(vehicle, folder)` gives a simulator, which has a folder for itself."""
 
-    def __init__(
-        self, start: Callable[[str, Path], Simulator], kept: Kept, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, start: Callable[[str, Path], Simulator], kept: Kept, clock: Any = time.monotonic) -> None:
         self._start, self.kept, self._clock = start, kept, clock
 
     def run(self, trials: list[Trial], seeds: list[int], minutes: float | None) -> Iterator[tuple[Outcome, int, int]]:
@@ -121,11 +114,10 @@ class Runner:
     def _one(self, trial: Trial, seed: int) -> Outcome:
         outcome = Outcome(trial.name, trial.kind, trial.vehicle, seed)
         began, folder = self._clock(), Path(tempfile.mkdtemp(prefix="field_"))
-        recording, rows = "", []
-        world = None
+        recording, rows, world = "", [], None
         try:
             world = World(self._start(trial.vehicle, folder), zlib.crc32(f"{trial.name} {seed}".encode()))
-            world.begin(trial.to_fly)
+            world.begin(trial.kind in ("flights", "examples") or getattr(trial.row, "to_fly", False))
             outcome.version, outcome.clock = f"{trial.vehicle} {world.truth.version()}", world.simulator.clock
             result = Result(trial.name, trial.vehicle)
             rows = self._play(world, trial, result, random.Random(f"{trial.name} {seed}"))
@@ -137,7 +129,7 @@ class Runner:
             if world is not None:
                 outcome.simulated_s = round(world.now, 1)
                 recording = world.recording()
-                world.close()
+                world.simulator.close()
             shutil.rmtree(folder, ignore_errors=True)
         outcome.took_s = round(self._clock() - began, 1)
         self.kept.add(outcome, recording, rows)
@@ -146,15 +138,8 @@ class Runner:
     @staticmethod
     def _play(world: World, trial: Trial, result: Result, chance: random.Random) -> list[Row]:
         row = trial.row
-        if trial.kind == "flights":
-            if row.befalls == "3 % of bytes":
-                world.wire.damage_bytes(lose=PERCENT)
-            world.power_on(firmware(row.example))
-            Flight(world, row, result, chance).fly()
-            return []
-        if trial.kind == "examples":
-            world.power_on(firmware(row))
-            play_printed(world, row, result)
+        if trial.kind in ("flights", "examples"):
+            Flight(world, row, result, chance).fly() if trial.kind == "flights" else play_printed(world, row, result)
             return []
         if row is not None:
             row.prepare(world.wire, world.truth)

@@ -1,7 +1,7 @@
 """Vehicles that move as their servos say: simple, and enough for an autopilot's estimator and its controllers.
 
 Each is given the servos' pulses [us] and a time step, and holds what its sensors and its place are then. Axes are
-north, east, down, and in the body forward, right, down.
+north, east, down, and in the body forward, right, down. A force is one for each kilogram [m/s2].
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import math
 
 GRAVITY = 9.80665
 STANDS_M = 2.5  # below it the throttle stick of a copter is down
+GRIPS_S = 0.05  # so long wheels slip to the side
 Vector = list[float]
 
 
@@ -23,40 +24,71 @@ def rotation(q: Vector) -> list[Vector]:
     ]
 
 
+def clipped(number: float, least: float, most: float) -> float:
+    return min(max(number, least), most)
+
+
 class Vehicle:
     """At rest, on the ground, and looks to the north."""
+
+    STICK = 1500
 
     def __init__(self) -> None:
         self.time = 0.0  # [s]
         self.position, self.velocity = [0.0] * 3, [0.0] * 3  # [m, m/s], from home
-        self.turning, self.force = [0.0] * 3, [0.0, 0.0, -GRAVITY]  # in the body: gyro [rad/s], accelerometer [m/s2]
+        self.turning, self.force = [0.0] * 3, [0.0, 0.0, -GRAVITY]  # in the body: gyro [rad/s], accelerometer
         self.quaternion = [1.0, 0.0, 0.0, 0.0]
 
     def step(self, pulses: tuple[int, ...], dt: float) -> None:
-        """It stays where it is, if it is no vehicle of those below."""
         self.time += dt
+        if not self.fly(self.push(pulses, dt), dt):
+            self.stand(dt)
+
+    def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
+        """Its force in the air, in the body; and `turning` becomes what the servos make of it."""
+        raise NotImplementedError
+
+    def stand(self, dt: float) -> None:
+        """Where the ground holds it."""
+        self.velocity = [0.0] * 3
+        self.roll(0.0, 0.0, dt)
 
     def throttle_stick(self) -> int:
         """[us], as somebody at the sticks would hold it; the others are in the middle."""
-        return 1500
+        return self.STICK
 
-    def turn(self, dt: float) -> None:
+    def inside(self, vector: Vector) -> Vector:
+        """In the body's axes."""
+        matrix = rotation(self.quaternion)
+        return [sum(matrix[axis][way] * vector[axis] for axis in range(3)) for way in range(3)]
+
+    def fly(self, force: Vector, dt: float) -> bool:
+        """False: the ground is in the way."""
+        earth = [sum(one * other for one, other in zip(row, force, strict=True)) for row in rotation(self.quaternion)]
+        earth[2] += GRAVITY
+        if self.position[2] >= 0.0 and (earth[2] > 1e-9 or self.velocity[2] > 0.0):
+            return False
+        self.force = force
         w, x, y, z = self.quaternion
         p, q, r = (one * dt / 2 for one in self.turning)
-        turned = [
-            w - x * p - y * q - z * r,
-            x + w * p + y * r - z * q,
-            y + w * q + z * p - x * r,
-            z + w * r + x * q - y * p,
-        ]
-        length = math.sqrt(sum(one * one for one in turned))
+        turned = [w - x * p - y * q - z * r, x + w * p + y * r - z * q,
+                  y + w * q + z * p - x * r, z + w * r + x * q - y * p]  # fmt: skip
+        length = math.hypot(*turned)
         self.quaternion = [one / length for one in turned]
-
-    def move(self, acceleration: Vector, dt: float) -> None:
-        """[m/s2], to the north, east and down."""
         for axis in range(3):
-            self.position[axis] += self.velocity[axis] * dt + acceleration[axis] * dt * dt / 2
-            self.velocity[axis] += acceleration[axis] * dt
+            self.position[axis] += self.velocity[axis] * dt + earth[axis] * dt * dt / 2
+            self.velocity[axis] += earth[axis] * dt
+        return True
+
+    def roll(self, ahead: float, turns: float, dt: float) -> None:
+        """On wheels, which push ahead, and turn [rad/m]."""
+        matrix = rotation(self.quaternion)
+        yaw = math.atan2(matrix[1][0], matrix[0][0])
+        self.quaternion = [math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2)]
+        self.position[2] = self.velocity[2] = 0.0
+        speed, slip, _ = self.inside(self.velocity)
+        self.turning = [0.0, 0.0, turns * speed]
+        self.fly([ahead, -slip / GRIPS_S, -GRAVITY], dt)
 
 
 class Copter(Vehicle):
@@ -76,28 +108,15 @@ class Copter(Vehicle):
     def throttle_stick(self) -> int:
         return 1500 if -self.position[2] > STANDS_M else 1000
 
-    def step(self, pulses: tuple[int, ...], dt: float) -> None:
-        self.time += dt
+    def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
         share = min(1.0, dt / self.SPOOLS_S)
         for number in range(4):
-            wanted = min(max((pulses[number] - 1000) / 1000, 0.0), 1.0)
-            self.thrust[number] += (wanted - self.thrust[number]) * share
-        lift = sum(self.thrust) / 4 * GRAVITY / self.HOVERS
+            self.thrust[number] += (clipped((pulses[number] - 1000) / 1000, 0.0, 1.0) - self.thrust[number]) * share
         for axis in range(3):
             torque = sum(way[axis] * one for way, one in zip(self.MOTORS, self.thrust, strict=True)) / 4
             self.turning[axis] += (torque * self.TORQUE[axis] - self.TURN_DRAG[axis] * self.turning[axis]) * dt
-        self.turn(dt)
-        matrix = rotation(self.quaternion)
-        drag = [-self.DRAG * one for one in self.velocity]
-        earth = [-lift * matrix[axis][2] + drag[axis] for axis in range(3)]
-        if self.position[2] >= 0.0 and earth[2] + GRAVITY >= 0.0:  # it stands
-            yaw = math.atan2(matrix[1][0], matrix[0][0])
-            self.quaternion = [math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2)]
-            self.turning, self.velocity, self.position[2] = [0.0] * 3, [0.0] * 3, 0.0
-            self.force = [0.0, 0.0, -GRAVITY]
-            return
-        self.move([earth[0], earth[1], earth[2] + GRAVITY], dt)
-        self.force = [sum(matrix[axis][way] * earth[axis] for axis in range(3)) for way in range(3)]
+        ahead, aside, down = (-self.DRAG * one for one in self.inside(self.velocity))
+        return [ahead, aside, down - sum(self.thrust) / 4 * GRAVITY / self.HOVERS]
 
 
 class Rover(Vehicle):
@@ -107,18 +126,52 @@ class Rover(Vehicle):
     SLOWS_S = 0.7
     TURNS = 0.3  # [rad/m], at the most
 
-    def step(self, pulses: tuple[int, ...], dt: float) -> None:
-        self.time += dt
-        steered, driven = ((pulses[number] or 1500) / 500 - 3 for number in (0, 2))
-        ahead = rotation(self.quaternion)
-        speed = sum(ahead[axis][0] * self.velocity[axis] for axis in range(2))
-        speed += (driven * self.FASTEST - speed) * dt / self.SLOWS_S
-        self.turning[2] = steered * self.TURNS * speed
-        self.turn(dt)
-        matrix = rotation(self.quaternion)
-        earth = [(matrix[axis][0] * speed - self.velocity[axis]) / dt for axis in range(2)]
-        self.force = [*(matrix[0][way] * earth[0] + matrix[1][way] * earth[1] for way in range(2)), -GRAVITY]
-        self.move([*earth, 0.0], dt)
+    def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
+        self.steered, self.driven = ((pulses[number] or 1500) / 500 - 3 for number in (0, 2))
+        return [0.0] * 3
+
+    def stand(self, dt: float) -> None:
+        self.roll((self.driven * self.FASTEST - self.inside(self.velocity)[0]) / self.SLOWS_S,
+                  self.steered * self.TURNS, dt)  # fmt: skip
 
 
-VEHICLES: dict[str, type[Vehicle]] = {"arducopter": Copter, "ardurover": Rover, "arduplane": Vehicle}
+class Plane(Vehicle):
+    """A wing with a propeller: ailerons on servo 1, elevator on 2, throttle on 3, rudder and nose wheel on 4."""
+
+    STICK = 1000  # where the sticks have it, it glides down
+    CRUISES = 12.0  # [m/s], at which the wing that is not tilted against its way carries it
+    LIFTS, STALLS = 8.0, 2.2  # [1/rad]; by so much more with each tilt, up to so many times
+    THRUST, DRAG = 5.0, 0.6  # [m/s2]; of the body at that speed, and as much of the lift
+    SLIPS = 8.0  # [m/s2 for each rad] that the body is held by the air from its side
+    TURNS, RESPONDS = 2.3, 8.0  # [rad/s, 1/s], at that speed
+    TAIL = (0.0, -0.5, 4.0)  # so much it turns into its way, beside what the rudders do
+    BRAKES, STEERS = 1.5, 0.1  # [m/s2, rad/m], on the ground
+
+    def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
+        aileron, elevator, self.rudder = ((pulses[number] or 1500) / 500 - 3 for number in (0, 1, 3))
+        ahead, aside, down = self.inside(self.velocity)
+        share = math.hypot(ahead, aside, down) / self.CRUISES
+        tilt, slip = (clipped(math.atan2(one, max(ahead, 1.0)), -0.5, 0.5) for one in (down, aside))
+        for axis, moved, off in zip(range(3), (aileron, elevator, self.rudder), (0.0, tilt, slip), strict=True):
+            wanted = self.TURNS * share * (moved + self.TAIL[axis] * off)
+            self.turning[axis] += (wanted - self.turning[axis]) * min(1.0, self.RESPONDS * share * dt)
+        lift = clipped(1 + tilt * self.LIFTS, -1.0, self.STALLS)
+        lifted, dragged = GRAVITY * lift * share**2, self.DRAG * (1 + lift**2) * share**2
+        self.pulled = self.THRUST * clipped((pulses[2] - 1100) / 800, 0.0, 1.0) - dragged + lifted * tilt
+        return [self.pulled, -self.SLIPS * slip * share**2, -lifted - dragged * tilt]
+
+    def stand(self, dt: float) -> None:
+        braked = self.BRAKES * clipped(self.inside(self.velocity)[0], -1.0, 1.0)
+        self.roll(self.pulled - braked, self.rudder * self.STEERS, dt)
+
+
+class QuadPlane(Copter, Plane):
+    """A plane that four motors can carry, on servos 5 to 8."""
+
+    def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
+        carried = Copter.push(self, pulses[4:], dt)
+        return [one + other for one, other in zip(carried, Plane.push(self, pulses, dt), strict=True)]
+
+
+VEHICLES: dict[str, type[Vehicle]] = {
+    "arducopter": Copter, "ardurover": Rover, "arduplane": Plane, "quadplane": QuadPlane, "px4": Copter}  # fmt: skip

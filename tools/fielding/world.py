@@ -5,23 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from benching.player import Talk
 from simulation import recordings
 from simulation.mega import Mega
 from simulation.wire import Wire
 
-from .simulator import Simulator
+from .simulator import Gone, Simulator
 from .truth import Truth
 
 BOOTS_S = 60.0
 FIT_S = 150.0
 SENSORS_FIT = 1 << 28  # of SYS_STATUS: what would keep it from arming
 CONSOLE, TELEM = 0, 1
-
-
-class NotReady(Exception):
-    """The simulator does not come up as it must; the text says what it said."""
 
 
 class World(Talk):
@@ -32,7 +29,7 @@ class World(Talk):
         self.simulator = simulator
         self.wire = Wire(seed)
         self.truth = Truth(self, simulator.truth.write, simulator.firmware == "ArduPilot")
-        self.mega: Mega | None = None
+        self.mega: Any = None  # once it is switched on
         self.said: list[tuple[float, str]] = []  # (s, line)
         self.crossed: list[tuple[float, str, bytes]] = []  # as in simulation/recordings
         self.watches: list[Callable[[], None]] = []
@@ -56,20 +53,18 @@ class World(Talk):
 
     def _need(self, found: Callable[[], bool], limit_s: float, what: str) -> None:
         if not self.until(found, limit_s):
-            raise NotReady(f"{what} within {limit_s:.0f} s; it said: {[text for _, text in self.truth.texts[-4:]]}")
+            raise Gone(f"{what} within {limit_s:.0f} s; it said: {[text for _, text in self.truth.texts[-4:]]}")
 
     def power_on(self, firmware: Path) -> None:
         self.mega = Mega(firmware, mcu="atmega2560")
         self._born = self.now
 
     def reset(self) -> None:
-        assert self.mega is not None
         self.mega.reset()
         self._text = b""
         self.run(0.3)
 
     def say(self, data: bytes) -> None:
-        assert self.mega is not None
         self.mega.serial(CONSOLE).send(data)
 
     def step(self) -> None:
@@ -93,7 +88,6 @@ class World(Talk):
 
     def _board(self, to: float) -> None:
         mega = self.mega
-        assert mega is not None
         mega.run_until(math.ceil((to - self._born) * mega.hz))
         sent = mega.serial(TELEM).sent()
         for one in sent:
@@ -107,6 +101,3 @@ class World(Talk):
     def recording(self) -> str:
         born = self._born
         return recordings.written([(time - born, mark, data) for time, mark, data in self.crossed if time >= born])
-
-    def close(self) -> None:
-        self.simulator.close()
