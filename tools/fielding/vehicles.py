@@ -10,7 +10,7 @@ import math
 
 GRAVITY = 9.80665
 STANDS_M = 2.5  # below it the throttle stick of a copter is down
-GRIPS_S = 0.05  # so long wheels slip to the side
+GRIPS_S, LEVELS_S = 0.05, 0.2  # so long wheels slip to the side, and so long it stands as it has come down
 Vector = list[float]
 
 
@@ -41,8 +41,11 @@ class Vehicle:
 
     def step(self, pulses: tuple[int, ...], dt: float) -> None:
         self.time += dt
-        if not self.fly(self.push(pulses, dt), dt):
+        force = self.push(pulses, dt)
+        if self.position[2] >= 0.0 and max(self.velocity[2], self.outside(force)[2] + GRAVITY) > 0.0:
             self.stand(dt)
+        else:
+            self.fly(force, dt)
 
     def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
         """Its force in the air, in the body; and `turning` becomes what the servos make of it."""
@@ -58,16 +61,17 @@ class Vehicle:
         return self.STICK
 
     def inside(self, vector: Vector) -> Vector:
-        """In the body's axes."""
+        """In the body's axes, what is in the earth's."""
         matrix = rotation(self.quaternion)
         return [sum(matrix[axis][way] * vector[axis] for axis in range(3)) for way in range(3)]
 
-    def fly(self, force: Vector, dt: float) -> bool:
-        """False: the ground is in the way."""
-        earth = [sum(one * other for one, other in zip(row, force, strict=True)) for row in rotation(self.quaternion)]
+    def outside(self, vector: Vector) -> Vector:
+        """In the earth's axes, what is in the body's."""
+        return [sum(one * other for one, other in zip(row, vector, strict=True)) for row in rotation(self.quaternion)]
+
+    def fly(self, force: Vector, dt: float) -> None:
+        earth = self.outside(force)
         earth[2] += GRAVITY
-        if self.position[2] >= 0.0 and (earth[2] > 1e-9 or self.velocity[2] > 0.0):
-            return False
         self.force = force
         w, x, y, z = self.quaternion
         p, q, r = (one * dt / 2 for one in self.turning)
@@ -78,17 +82,14 @@ class Vehicle:
         for axis in range(3):
             self.position[axis] += self.velocity[axis] * dt + earth[axis] * dt * dt / 2
             self.velocity[axis] += earth[axis] * dt
-        return True
 
     def roll(self, ahead: float, turns: float, dt: float) -> None:
         """On wheels, which push ahead, and turn [rad/m]."""
-        matrix = rotation(self.quaternion)
-        yaw = math.atan2(matrix[1][0], matrix[0][0])
-        self.quaternion = [math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2)]
-        self.position[2] = self.velocity[2] = 0.0
         speed, slip, _ = self.inside(self.velocity)
-        self.turning = [0.0, 0.0, turns * speed]
-        self.fly([ahead, -slip / GRIPS_S, -GRAVITY], dt)
+        pitched, rolled, upright = self.inside([0.0, 0.0, 1.0])
+        self.turning = [-rolled / LEVELS_S, pitched / LEVELS_S, turns * speed]
+        self.fly([ahead - pitched * GRAVITY, -slip / GRIPS_S - rolled * GRAVITY, -upright * GRAVITY], dt)
+        self.position[2] = self.velocity[2] = 0.0
 
 
 class Copter(Vehicle):
