@@ -281,7 +281,7 @@ class Flight:
                 goes_on = self.stand_still()
                 world.run(self.chance.uniform(0.2, 1.8))
             came, own = world.now, truth.mode
-            returns = {modes[crew.returns], modes.get(crew.lands or "", -1)}
+            returns = {modes[name] for name in (crew.returns, crew.lands, "QRTL") if name in modes}
             if befalls.startswith("a pilot"):
                 mine |= {modes[crew.takes]}
                 truth.set_mode(modes[crew.takes])
@@ -310,6 +310,8 @@ class Flight:
             self.result.notes.append("the person's mode was replaced before the sketch could hear of it")
         if not self.said("ended", came - 0.2):
             self.wrong(f"the console never said 'ended' behind it; its last state is {self.last_state!r}")
+        elif self.last_state == "ended by a pilot" and not befalls.startswith("a pilot"):
+            self.wrong("the console says 'ended by a pilot', and none was there")
         self.bring_down()
 
     def failsafe(self) -> dict[str, float]:

@@ -43,7 +43,7 @@ PARAMETERS_OF: dict[str, dict[str, float]] = {
     "arduplane": PLANE,
     "quadplane": {**PLANE, "SCHED_LOOP_RATE": 400, "Q_ENABLE": 1, "Q_FRAME_CLASS": 1, "Q_FRAME_TYPE": 1,
                   "Q_M_THST_EXPO": 0, "Q_M_THST_HOVER": Copter.HOVERS, "Q_M_PWM_MIN": 1000, "Q_M_PWM_MAX": 2000,
-                  "Q_ASSIST_SPEED": -1, "Q_GUIDED_MODE": 1},
+                  "Q_ASSIST_SPEED": -1, "Q_GUIDED_MODE": 1, "Q_RTL_MODE": 1},
 }  # fmt: skip
 
 
