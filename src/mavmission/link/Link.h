@@ -103,6 +103,8 @@ class Link : public LinkRules {
     outbox_.drop();
     return outbox_.draft();
   }
+  // The same for a message that is sent at once: that drops what was prepared, too.
+  void* draftToSend() { return outbox_.draft(); }
   MAVMISSION_APART void release();
 
   // Sends a message of the sketch's own; false if that cannot be done now.

@@ -177,10 +177,12 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
 Status WirePlan::settle(uint16_t index, MissionItem& item) const {
   if (!read_(context_, index, item)) return Status::SourceRefused;
   if (isByPx4(keeper_)) {
-    // PX4 takes both for the same, but 1.18 takes no place in DO_SET_ROI.
-    if (item.command == kDoSetRoi) item.command = kNavRoi;
-    // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
-    if (item.command == kDoJump && is(item.param2, kMinus1)) item.param2 = 65535;
+    if (item.command == kDoSetRoi) {
+      item.command = kNavRoi;  // PX4 takes both for the same, but 1.18 takes no place in DO_SET_ROI
+    } else if (item.command == kDoJump && is(item.param2, kMinus1)) {
+      // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
+      item.param2 = 65535;
+    }
   }
   const Rules rules = rulesOf(item, keeper());
   item.frame = rules.has(kHasNoPlace) ? Frame::Mission : modern(item.frame);
