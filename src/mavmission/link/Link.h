@@ -203,9 +203,9 @@ class Link : public LinkRules {
   AutopilotFinder finder_;
   Stream* stream_;
   Pace pace_;
-  uint8_t damage_;  // low byte of what has been counted as skipped or lost
   State state_;
   Outbox outbox_;
+  uint8_t damage_;  // low byte of what has been counted as skipped or lost
   FrameParser parser_;
 
 #if MAVMISSION_SIGNING
