@@ -27,7 +27,7 @@ float fromBits(uint32_t bits) {
 }
 
 // (From two bytes: a shift of all four, or of the upper two, takes more code.)
-uint8_t biasedExponent(uint32_t bits) {
+MAVMISSION_INLINE uint8_t biasedExponent(uint32_t bits) {
   uint8_t biased = static_cast<uint8_t>(static_cast<uint8_t>(bits >> 24) << 1);
   if ((static_cast<uint8_t>(bits >> 16) & 0x80) != 0) biased |= 1;
   return biased;

@@ -60,6 +60,7 @@ bool hasHeight(const MissionItem& item) { return item.command < kNavLast || !isA
 
 Status WirePlan::check(MissionItem& item, Rules rules) const {
   if (item.current > 1) return Status::BadCurrent;
+  const Keeper keeper = keeper_;  // once from memory, since the item might be there
   // param1 to param4, x, y and z lie one after the other, four bytes each.
   uint8_t* number = reinterpret_cast<uint8_t*>(&item);
   uint16_t kinds = static_cast<uint16_t>(rules.bits);  // of param1 to param4; behind them 0, which is K
@@ -68,20 +69,20 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
     const FloatKind kind = kindOf(number);
     if (kind == FloatKind::Infinite) return Status::NotFinite;
     const uint8_t keptAs = static_cast<uint8_t>(kinds) & 15;
-    if (!isByPx4(keeper_) || keptAs != keeping::D) {
+    if (!isByPx4(keeper) || keptAs != keeping::D) {
       if (kind == FloatKind::Finite) continue;
       // ArduPilot takes no NaN, nor do those with a table of their own.
-      const bool isTaken = !isByArduPilot(keeper_) && !isByOwn(keeper_);
-      if (isTaken && (unsetOf(item.command) & bit) != 0) continue;
-      if (bit != 1 << 4 || !Rules::isYaw(keptAs)) return Status::NotANumber;
+      const bool isTaken = !isByArduPilot(keeper) && !isByOwn(keeper);
+      const bool isYaw = bit == 1 << 4 && Rules::isYaw(keptAs);
+      if (!isYaw && (!isTaken || (unsetOf(item.command) & bit) == 0)) return Status::NotANumber;
       // As a yaw it means "as you fly": ArduPilot has 0 for that, and the others turn to no heading.
       if (isTaken) continue;
     }
     memset(number, 0, 4);
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
-  const bool isArduPilot = isByArduPilot(keeper_);
-  const bool isMission = (keeper_ & (kOfFence | kOfRally)) == 0;
+  const bool isArduPilot = isByArduPilot(keeper);
+  const bool isMission = (keeper & (kOfFence | kOfRally)) == 0;
   if (!rules.has(kHasNoPlace)) {
     // The coordinates are checked in every frame: in a mission ArduPilot uses them even if the frame says that there
     // are none.
@@ -89,13 +90,13 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
     if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
     if (hasPlace(item)) {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
-    } else if (!isMission || isByPx4(keeper_) || isByOwn(keeper_)) {
+    } else if (!isMission || isByPx4(keeper) || isByOwn(keeper)) {
       return Status::NeedsCoordinates;
     } else if (!rules.has(kPlaceIsOptional) && hasHeight(item)) {
       return Status::BadFrame;
     }
-    if (isArduPilot && (keeper_ & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
-    if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && isAtZero(/*item=*/item))
+    if (isArduPilot && (keeper & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
+    if ((isByPx4(keeper) || isByOwn(keeper)) && rules.has(kPlaceIsOptional) && isAtZero(/*item=*/item))
       return Status::Checking;
   }
   if (item.command == kDoJump) {

@@ -67,8 +67,8 @@ class WirePlan {
   // the item that was found after it.
   MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);
 
-  void* context_;
   ItemFunction read_;
+  void* context_;
   uint16_t count_;
   uint16_t searched_;  // how many positions around an item without a place, or items for a tag, have been searched
   Firmware firmware_;
