@@ -120,7 +120,7 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
     return number(found);  // the radius of a circle (Areas)
   }
   // What iNav does not take, or rounds, differs between its versions.
-  if (isByOwn(keeper) && kGenericFirmware == Firmware::Inav && (kind == Three || kind >= U1)) {
+  if (isByOwn(keeper) && flagOf(kGenericFirmware) == kByInav && (kind == Three || kind >= U1)) {
     return fromBits(kNotKnown);
   }
   switch (kind) {
