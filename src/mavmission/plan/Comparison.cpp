@@ -142,7 +142,7 @@ MAVMISSION_APART MAVMISSION_ONE_EXIT bool keep(Four& kept, const Four& sent, uin
     const uint16_t* limit = &kLimits[kind - U1].positive;
     if (sign != 0) ++limit;
     if (whole != 0) kept.bytes[3] |= sign;
-    if ((keeper & kOwn) != 0 && kind == To360 && (whole >= 360 || kept.isBelow0())) return false;
+    if (isByOwn(keeper) && kind == To360 && (whole >= 360 || kept.isBelow0())) return false;
     return number >= 0 && whole <= fromFlash(limit);
   }
   if (kind == Special) {
@@ -152,8 +152,8 @@ MAVMISSION_APART MAVMISSION_ONE_EXIT bool keep(Four& kept, const Four& sent, uin
     if (isByPx4(keeper) && (keeper & kInFloats) == 0) kept.bits = 0;
     return isKept;
   }
-  if ((keeper & kOwn) != 0) return sign == 0 && whole == 3;  // no table of its own has a Sign
-  if (!kServesArduPilot) return true;                        // no other has a Sign, or a MountMode
+  if (isByOwn(keeper)) return sign == 0 && whole == 3;  // no table of its own has a Sign
+  if (!kServesArduPilot) return true;                   // no other has a Sign, or a MountMode
   kept.bits = 0;
   kept.bytes[3] = 0x40;  // 2
   if (!isZ) {
