@@ -127,7 +127,7 @@ class Desk:
         return texts[0] == texts[1]
 
     def tried(self, subject: Subject, mutant: Mutant) -> Verdict:
-        """By one program after the other: those behind the one that finds it are not made at all."""
+        """By one program after the other. Those after the one that finds it are not made."""
         is_looked_at = False
         for killer in killers(subject):
             remembered = Remembered("killed", killer, mutant)
