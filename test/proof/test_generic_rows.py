@@ -7,24 +7,17 @@ import subprocess
 
 import pytest
 
-from simulation.firmware import LIBRARY
-from simulation.host_build import HOST, build_host
-
-SOURCES = [HOST / "generic" / "rows.cpp", HOST / "units" / "main.cpp"]
-PARTS = [
-    LIBRARY / "mavmission" / name
-    for name in ("autopilot/Commands.cpp", "autopilot/Vehicle.cpp", "base/FloatBits.cpp", "plan/Comparison.cpp",
-                 "plan/KeptValue.cpp")
-]  # fmt: skip
+from coverage import GENERIC, WITH_GENERIC_ROWS
+from simulation.host_build import build_host
 
 
 @pytest.mark.scenario(29, "Betaflight and iNav, as MAVMISSION_GENERIC_FIRMWARE names them: the rows of each")
 @pytest.mark.parametrize("number", [pytest.param(1, id="Betaflight"), pytest.param(2, id="iNav")])
 def test_every_case_of_the_rows_passes(number):
-    program = build_host(f"generic-{number}", SOURCES, "clang++", library=PARTS,
+    program = build_host(f"generic-{number}", GENERIC, "clang++", library=WITH_GENERIC_ROWS,
                          defines={"MAVMISSION_GENERIC_FIRMWARE": number})  # fmt: skip
     ran = subprocess.run([program, "--no-version"], capture_output=True, text=True, check=False)
     print(ran.stdout, ran.stderr)
     assert ran.returncode == 0
-    cases = SOURCES[0].read_text().count("TEST_CASE(")
+    cases = GENERIC[0].read_text().count("TEST_CASE(")
     assert cases > 0 and int(re.search(r"test cases: *(\d+)", ran.stdout)[1]) == cases

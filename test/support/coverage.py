@@ -1,5 +1,5 @@
-"""The branches of src/ that the host tests take, by folder: the unit tests, a few explorations and flights, as gcov
-counts.
+"""The branches of src/ that the host tests take, by folder: the unit tests, those of the rows of Betaflight and iNav,
+a few explorations and flights, as gcov counts.
 
 The library is compiled anew; the objects of the tests are those that other tests have. Branches to where an exception
 would go are left out: the library has none.
@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import subprocess
 from collections import defaultdict
+from collections.abc import Sequence
 from pathlib import Path
 
 from simulation.firmware import LIBRARY, ROOT, library_sources
@@ -26,6 +27,13 @@ EXPLORED = (
     "ArduPilot download 0 --held 2",
     "ArduPilot typed 20",
 )
+# The library's sources that have rows of Betaflight and iNav, which MAVMISSION_GENERIC_FIRMWARE (1, 2) compiles in.
+GENERIC = [HOST / "generic" / "rows.cpp", UNITS / "main.cpp"]
+WITH_GENERIC_ROWS = [
+    LIBRARY / "mavmission" / name
+    for name in ("autopilot/Commands.cpp", "autopilot/Vehicle.cpp", "base/FloatBits.cpp", "plan/Comparison.cpp",
+                 "plan/KeptValue.cpp")
+]  # fmt: skip
 COUNTED = ["g++", "-c", "-std=c++11", "-O0", "-g0", "--coverage", "-w", *PLACES]
 # The folder of each program, the further flags of its sources, and its runs.
 PROGRAMS = (
@@ -37,11 +45,7 @@ PROGRAMS = (
 
 def branches(folder: Path) -> dict[str, tuple[int, int]]:
     """Folder of src/mavmission -> how many of its branches were taken, and how many there are. Works in `folder`."""
-    quick = with_mavlink(COUNTED, compiler_version("g++"))
-    library = []
-    for source in together(library_sources()):
-        library.append(folder / f"{source.stem}.o")
-        subprocess.run([*COUNTED, *quick, source, "-o", library[-1]], check=True)
+    library = counted_objects(folder, together(library_sources()))
     frames = build_objects([*sorted(HOST.glob("*.cpp")), SHIM / "Arduino.cpp"], "g++", FAST)
     for place, own_flags, runs in PROGRAMS:
         program = folder / f"{place.name}.program"
@@ -51,7 +55,23 @@ def branches(folder: Path) -> dict[str, tuple[int, int]]:
         for words in runs:
             places = environment(folder / "uploads")
             subprocess.run([program, *words.split()], check=True, capture_output=True, env=places)
+    for generic in (1, 2):
+        program = folder / f"generic-{generic}.program"
+        objects = build_objects(GENERIC, "g++", FAST, (), {"MAVMISSION_GENERIC_FIRMWARE": generic})
+        library = counted_objects(folder, WITH_GENERIC_ROWS, generic)
+        subprocess.run(["g++", "--coverage", *library, *objects, "-o", program], check=True)
+        subprocess.run([program, "--no-version"], check=True, capture_output=True)
     return by_folder(folder)
+
+
+def counted_objects(folder: Path, sources: Sequence[Path], generic: int = 0) -> list[Path]:
+    command = [*COUNTED, f"-DMAVMISSION_GENERIC_FIRMWARE={generic}"]
+    command += with_mavlink(command, compiler_version("g++"))
+    objects = []
+    for source in sources:
+        objects.append(folder / f"{source.stem}.{generic}.o")
+        subprocess.run([*command, source, "-o", objects[-1]], check=True)
+    return objects
 
 
 def by_folder(objects: Path) -> dict[str, tuple[int, int]]:

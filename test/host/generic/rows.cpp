@@ -136,3 +136,41 @@ TEST_CASE("iNav's headings are 0 to 359, and its regions of interest have a plac
     if (!one.isTaken) CHECK(std::isnan(keptValue(item, ItemField::Param1, keeper)));
   }
 }
+
+TEST_CASE(
+    "a height may come back as the number next to it, a yaw as any number; an item at which it stops is not kept") {
+  MissionItem sent{};
+  sent.command = 16;
+  sent.frame = Frame::GlobalRelative;
+  sent.autocontinue = 1;
+  sent.x = 473977420;
+  sent.z = 50.1f;
+  const Keeper keeper = keeperOf(kThis, kCopter, PlanType::Mission);
+  const auto found = [&](const MissionItem& read) { return difference(sent, read, keeper); };
+  MissionItem read = sent;
+  CHECK((found(read) == ItemField::None));
+  read.z = std::nextafter(sent.z, 100.0f);
+  CHECK((found(read) == ItemField::None));
+  read.z = std::nextafter(read.z, 100.0f);
+  CHECK((found(read) == ItemField::Height));
+  read = sent;
+  read.param1 = std::nextafter(0.0f, 1.0f);  // the number next to it, in another field
+  CHECK((found(read) == ItemField::Param1));
+  CHECK(keptValue(sent, ItemField::Param1, keeper) == 0);
+  read = sent;
+  read.x += 1;
+  CHECK((found(read) == ItemField::Latitude));
+  read = sent;
+  read.frame = Frame::Global;
+  CHECK((found(read) == ItemField::Reference));
+  read = sent;
+  read.autocontinue = 0;
+  CHECK((found(read) == ItemField::Autocontinue));
+  read = sent;
+  sent.param4 = NAN;
+  CHECK((found(read) == ItemField::None));
+  read.param4 = NAN;
+  CHECK((found(read) == ItemField::None));
+  sent.autocontinue = read.autocontinue = 0;
+  CHECK((found(read) == ItemField::Autocontinue));
+}
