@@ -88,7 +88,8 @@ class Px4(FakeAutopilot):
     source). The recorded one did not: it said so only by mission_state in MISSION_CURRENT.
     takeoff_required: its parameter MIS_TKO_LAND_REQ, off by default. streams: further messages that
     it sends unasked, and how often [s]. is_1_18: as PX4 1.18 (a state of August 2026, before its release) it tells
-    again how many items a plan has, has DO_SET_MISSION_CURRENT, and takes SETUP_SIGNING.
+    again how many items a plan has, has DO_SET_MISSION_CURRENT, takes SETUP_SIGNING, and refuses an item that has a
+    number in a parameter that it does not know.
     hears_station: a ground station is on its link, too. By source it sends a STATUSTEXT nowhere else.
     """
 

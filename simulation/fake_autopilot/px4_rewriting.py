@@ -105,6 +105,18 @@ WITHOUT_A_PLACE = {
     400, 530, 532, 534, 1000, 1001, 2000, 2001, 2003, 2500, 2501, 3000, 42600, *ROI,
 }
 JUMP = mavlink.MAV_CMD_DO_JUMP
+TAKEN_BY_1_18 = {212}  # DO_AUTOTUNE_ENABLE
+
+# The parameters of a command that 1.18 knows, by its source: it refuses an item with any other that is neither 0 nor
+# NaN (of a place neither of the largest integers). A command that is not here is not looked at.
+KNOWN_TO_1_18 = {
+    16: "124567", 17: "34567", 19: "1234567", 20: "", 21: "124567", 22: "14567", 31: "124567", 80: "123567",
+    84: "4567", 85: "34567", 93: "1234", 112: "1", 114: "1", 177: "12", 178: "123", 179: "1234567", 189: "567",
+    195: "567", 196: "1", 197: "1", 201: "123", 206: "1234", 211: "12", 212: "12", 214: "123", 400: "12",
+    530: "12", 532: "123", 534: "123", 2000: "1234", 2001: "1", 2003: "1234", 2500: "123", 2501: "12", 3000: "12",
+    4501: "12567", 5000: "567", 5001: "156", 5002: "156", 5003: "156", 5004: "156", 5100: "567", 42600: "1234",
+}  # fmt: skip
+_NO_PLACE = (2 ** 31 - 1, -2 ** 31)
 
 _CORNERS = (5001, 5002)
 _NOT_IN_A_MISSION = (5001, 5002, 5003, 5004, 5100)
@@ -116,12 +128,33 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool, is_1_18: bool 
     float_mode: the item came in a MISSION_ITEM, its x and y are in degrees. is_1_18: as 1.18 keeps it, by its source
     (a state of August 2026, before its release).
     """
-    if is_1_18 and item.command == mavlink.MAV_CMD_DO_SET_ROI and item.frame != NO_PLACE_FRAME:
-        return mavlink.MAV_MISSION_INVALID_PARAM5_X, None
+    if not is_1_18:
+        return _as_held(item, mission_type, float_mode)
+    number = _unknown_to_1_18(item, float_mode)
+    if number:
+        return mavlink.MAV_MISSION_INVALID_PARAM1 + number - 1, None
+    if item.command in TAKEN_BY_1_18 and item.frame == NO_PLACE_FRAME:
+        return ACCEPTED, item._replace(current=0)
     result, held = _as_held(item, mission_type, float_mode)
-    if is_1_18 and held is not None:
+    if held is not None:
         held = held._replace(command=KEPT_AS_BY_1_18.get(item.command, item.command))
+        if item.command == mavlink.MAV_CMD_NAV_LAND:
+            held = held._replace(param1=item.param1)  # the height above which it may still be aborted
     return result, held
+
+
+def _unknown_to_1_18(item: Item, float_mode: bool) -> int:
+    """The first parameter (1 to 7) for which 1.18 refuses it; 0: none."""
+    known = KNOWN_TO_1_18.get(item.command, "1234567")
+    for number, value in enumerate(item[4:11], start=1):
+        is_integer = number in (5, 6) and not float_mode
+        if is_integer and item.frame != NO_PLACE_FRAME:
+            is_unset = value in _NO_PLACE
+        else:
+            is_unset = value == 0 or math.isnan(value) or (is_integer and value in _NO_PLACE)
+        if str(number) not in known and not is_unset:
+            return number
+    return 0
 
 
 def _as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, Item | None]:

@@ -321,8 +321,8 @@ def test_size_with_the_same_flags_is_that_of_what_the_arduino_builder_makes():
     """On a Mega as it is made now, on an Uno as tools/refresh has measured it."""
     built = build_sketch("UploadMission")
     flash, ram = elf_sizes(firmware_of(sketch_of("UploadMission"), "atmega2560"))
-    # Up to two instructions, which avr-gcc chooses by the order in which it links.
-    assert abs(built.flash - flash) <= 4 and built.ram == ram
+    # Up to three instructions, which avr-gcc chooses by the order in which it links.
+    assert abs(built.flash - flash) <= 6 and built.ram == ram
     recorded = record.section("figures")
     near = [pytest.approx(recorded[figure], rel=record.SHARE) for figure in ("flash_uno", "globals_uno")]
     assert [*sizes(sketch_of("UploadMission"), "uno")] == near

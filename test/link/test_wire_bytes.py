@@ -17,7 +17,7 @@ from simulation.peer import AUTOPILOT, US, ack, find, request, request_int
 
 # Fields that are zero at the end, in the middle and at the beginning; extensions are always zero.
 PLAN = [
-    waypoint(-353632621, 1491652374, 20.5, param1=7.0, param2=3.0, param3=5.0, param4=45.0),
+    waypoint(-353632621, 1491652374, 20.5, param1=7.0, param2=3.0, param4=45.0),
     item(16, x=0, y=0, z=0.0, autocontinue=0),
     item(16, x=0, y=0, z=0.0, param1=-0.0, current=1),
     item(178, frame=NO_PLACE, param1=1.0, param2=5.0, param3=-1.0),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from disorders import latency_of
@@ -210,6 +212,7 @@ def test_plan_that_was_flown_and_landed_is_flown_again_with_its_jumps(px4):
 @pytest.mark.parametrize("order", [("startmission",), ("mode", 0)], ids=["startMission()", "setMode(Auto)"])
 def test_finished_plan_is_flown_again_only_when_its_item_is_set(px4, order):
     """As docs/starting.md says: without, it is in its mission's mode for a moment, and holds again."""
+
     def fly() -> str:
         px4.order_of(*order)
         ended = px4.done()
@@ -245,9 +248,50 @@ def test_count_that_is_told_again_until_the_first_item_is_asked_for_changes_noth
 @pytest.mark.scenario(60, "Commands that PX4 keeps by other numbers")
 def test_delay_and_region_of_interest_are_taken_and_read_back_as_each_version_keeps_them(px4):
     at = {"x": WAYPOINT.x, "y": WAYPOINT.y, "z": 20.0}
-    plan = [TAKEOFF, WAYPOINT, item(112, frame=2, param1=3.0), item(80, param1=3.0, **at), item(201, param1=3.0, **at),
-            LANDING]
+    plan = [
+        TAKEOFF,
+        WAYPOINT,
+        item(112, frame=2, param1=3.0),
+        item(80, param1=3.0, **at),
+        item(201, param1=3.0, **at),
+        LANDING,
+    ]
     uploaded(px4, plan).verify(plan)
     assert px4.done(limit_s=20) == "Verified"
     kept = 93 if px4.autopilot.is_1_18 else 112
     assert [held.command for held in px4.autopilot.missions.held[0]] == [22, 16, kept, 201, 201, 21]
+
+
+@pytest.mark.scenario(60, "Commands that PX4 keeps by other numbers")
+@pytest.mark.parametrize("number", [7.0, math.nan])
+def test_parameter_that_px4_does_not_use_goes_out_as_0_which_each_version_takes(px4, number):
+    at = {"x": WAYPOINT.x, "y": WAYPOINT.y, "z": 20.0}
+    plan = [
+        TAKEOFF._replace(param3=number),
+        WAYPOINT._replace(param3=number),
+        item(17, param1=number, **at),
+        item(31, param2=50.0, param3=number, **at),
+        item(195, param4=number, **at),
+        item(201, param1=3.0, param2=number, **at),
+        item(4501, param3=number, **at),
+        LANDING._replace(param1=12.0, param3=number),
+    ]
+    uploaded(px4, plan).verify(plan)
+    assert px4.done(limit_s=20) == "Verified"
+    assert {sent.param3 for sent in px4.autopilot.missions.held[0]} == {0.0}
+    assert px4.autopilot.missions.held[0][-1].param1 == (12.0 if px4.autopilot.is_1_18 else 0.0)
+
+
+@pytest.mark.scenario(60, "Commands that PX4 keeps by other numbers")
+def test_number_in_a_parameter_that_px4_1_18_does_not_know_is_refused_by_it_and_named(build_service):
+    service = build_service("PX4", is_1_18=True)
+    service.upload([TAKEOFF, item(178, frame=2, param1=1.0, param2=5.0, param4=1.0), LANDING])
+    assert (service.done(limit_s=20), service.state.failed_item) == ("InvalidParam4", 1)
+
+
+@pytest.mark.scenario(60, "Commands that PX4 keeps by other numbers")
+def test_autotune_in_a_plan_is_taken_by_px4_1_18_and_refused_by_an_older_one_itself(px4):
+    plan = [TAKEOFF, item(212, frame=2, param1=1.0), LANDING]
+    px4.upload(plan)
+    status = px4.done(limit_s=20)
+    assert (status, len(px4.heard("MISSION_COUNT"))) == ("Accepted" if px4.autopilot.is_1_18 else "Unsupported", 1)

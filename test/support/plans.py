@@ -58,8 +58,10 @@ def items_of(plan: Sequence[Item] | FunctionPlan) -> list[Item]:
 
 
 def on_the_wire(plan: Sequence[Item] | FunctionPlan, personality: str) -> list[Item]:
-    """The items of a plan whose commands all have a place, as they are to arrive."""
+    """The items of a plan of waypoints, as they are to arrive."""
     items = items_of(plan)
+    if personality == "PX4":
+        return [one._replace(param3=0.0) for one in items]  # which it does not use
     return [HOME, *items] if personality == "ArduPilot" and items else items
 
 

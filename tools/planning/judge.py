@@ -61,6 +61,9 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
                 step = steps[index]
                 text = words.get(index) or text.removeprefix("refused: ") + wrong_number(status, step.item)
                 found[AUTOPILOTS[turn // len(steps)]].append(Refusal(kind, index, step, status, text))
+    # What one of the two takes is not wrong everywhere, though an unknown autopilot does not get it.
+    refused = [{(one.kind, one.index) for one in found[autopilot]} for autopilot in FIRMWARE]
+    found["any"] = [one for one in found["any"] if all((one.kind, one.index) in those for those in refused)]
     return found
 
 

@@ -49,7 +49,7 @@ IN_PX4 = {
     "Loiter": "place; –, –, kept, heading",
     "LoiterTime": "place; kept, 0 or 1, kept, 0 or 1",
     "LoiterToAltitude": "place; 0 or 1, kept, –, 0 or 1",
-    "Land": "place; –, to 65535, –, heading",
+    "Land": "place; from 1.18 on, to 65535, –, heading",
     "Takeoff": "place; –, –, –, heading",
     "Roi": "place: 0 or 3, –, –, –; without: 0 to 2, kept, kept, kept",
     "Jump": "no place; ±32767, to 65535, kept, kept",

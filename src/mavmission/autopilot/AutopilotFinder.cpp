@@ -51,7 +51,6 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
                                   uint16_t nowMs) {
   if (autopilot == MAV_AUTOPILOT_INVALID || !isVehicle(vehicleType)) return false;
   if (autopilot == MAV_AUTOPILOT_GENERIC && !isGenericKnown() && !named_) return false;
-  const bool isKnown = heard_ || settled_;
   if (systemId != heartbeat_.systemId || componentId != heartbeat_.componentId) {
     if (named_) return false;
     if (settled_) return false;
@@ -61,7 +60,7 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
       return false;
     }
   }
-  if (!isKnown) {
+  if (!heard_ && !settled_) {
     searchMs_ = nowMs;
   } else {
     const bool isOther = autopilot != heartbeat_.autopilot || vehicleType != heartbeat_.vehicleType;

@@ -89,7 +89,7 @@ class AutopilotFinder : public FinderRules {
 
   // The autopilot's last heartbeat; all zeros before the first.
   const Heartbeat& heartbeat() const { return heartbeat_; }
-  Firmware firmware() const;
+  MAVMISSION_APART Firmware firmware() const;
   bool isArmed() const;
 
   // MAV_TYPE: that of its heartbeat, or a QuadPlane's, if a plane was found to say another one.

@@ -74,7 +74,7 @@ const Both kInPx4[] PROGMEM = {
     {four(D, D, K, Yaw360), four(K, K, K, 0)},
     {four(K, U1, K, U1), four(K, K, K, 0)},
     {four(U1, K, D, U1), four(K, K, K, 0)},
-    {four(D, U16, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
+    {four(Later, U16, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
     {four(D, D, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
     {four(Special, D, D, D), four(K, K, K, kAsItsFrameSays)},
     {four(I16, U16, K, K), four(K, K, K, kHasNoPlace)},
@@ -168,7 +168,7 @@ const Row kRows[] PROGMEM = {
     row(208, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_PARACHUTE
     row(210, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_INVERTED_FLIGHT
     row(211, U8, U8, D, D, InArduPilot::None, InPx4::Command),                    // DO_GRIPPER
-    row(212, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_AUTOTUNE_ENABLE
+    row(212, U16, D, D, D, InArduPilot::None, InPx4::Command),                    // DO_AUTOTUNE_ENABLE
     row(213, K, K, U8, D, InArduPilot::None, InPx4::NotTaken),                    // NAV_SET_YAW_SPEED
     row(214, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_SET_CAM_TRIGG_INTERVAL
     row(215, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SET_RESUME_REPEAT_DIST

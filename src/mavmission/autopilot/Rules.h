@@ -17,6 +17,7 @@ enum Kind : uint8_t {
   K = 0,          // kept as it is
   D = 1,          // dropped, because the autopilot does not use the field: reads back as 0
   Yaw360 = 2,     // param4: a heading from -180 to 360 degrees, turned into 0 to 360 through radians. NaN: as you fly
+  Later = 2,      // param1: dropped by PX4 to 1.17, kept and used from 1.18 on
   Rounded = 2,    // x, y: rounded to the 24 bits of a float; the autopilot does not use them
   Height = 2,     // z: ArduPilot keeps whole centimetres
   NoYaw = 3,      // param4: a heading that is not kept. NaN: as you fly
@@ -50,10 +51,9 @@ struct Rules {
 
   bool has(CommandTrait trait) const { return (bytes[3] & trait << 4) != 0; }
   // True if param4 may be NaN, which means "as you fly".
-  bool hasYaw() const {
-    const uint8_t kind = bytes[1] >> 4;
-    return kind >= keeping::Yaw360 && kind <= keeping::Sign;
-  }
+  bool hasYaw() const { return isYaw(bytes[1] >> 4); }
+  // The same of param4's Kind.
+  static bool isYaw(uint8_t kind) { return kind >= keeping::Yaw360 && kind <= keeping::Sign; }
 };
 
 // The rules by which this keeper keeps the fields of an item. They depend on the item's command and frame.

@@ -27,7 +27,7 @@ float fromBits(uint32_t bits) {
 }
 
 // (From two bytes: a shift of all four, or of the upper two, takes more code.)
-uint8_t biasedExponent(uint32_t bits) {
+MAVMISSION_INLINE uint8_t biasedExponent(uint32_t bits) {
   uint8_t biased = static_cast<uint8_t>(static_cast<uint8_t>(bits >> 24) << 1);
   if ((static_cast<uint8_t>(bits >> 16) & 0x80) != 0) biased |= 1;
   return biased;
@@ -68,10 +68,10 @@ int32_t wholeNumber(const void* number) {
   memcpy(&bits, number, sizeof(bits));
   uint16_t mantissa = 0;
   if ((bits & ~kSign) != 0) {
-    const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // with the sign above it: larger than any exponent
-    if (biased < kBias || biased > kBias + 15 || static_cast<uint8_t>(bits) != 0) return -1;
+    const uint8_t biased = biasedExponent(bits);
+    if ((bits & kSign) != 0 || biased < kBias || biased > kBias + 15 || static_cast<uint8_t>(bits) != 0) return -1;
     mantissa = static_cast<uint16_t>(bits >> 8) | 0x8000;  // of its 24 bits the lowest 8 are behind the point
-    for (uint8_t i = static_cast<uint8_t>(biased); i != kBias + 15; ++i) {
+    for (uint8_t i = biased; i != kBias + 15; ++i) {
       if ((mantissa & 1) != 0) return -1;
       mantissa >>= 1;
     }

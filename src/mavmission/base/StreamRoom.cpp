@@ -21,7 +21,7 @@ int StreamRoom::of(Stream& stream, uint16_t nowMs, uint8_t blindBytes) {
       stuck_ = true;
       roomMs_ = nowMs;
     }
-    blind_ = since(roomMs_, nowMs) >= kNotImplementedMs;
+    if (since(roomMs_, nowMs) >= kNotImplementedMs) blind_ = true;
     return 0;
   }
   stuck_ = false;

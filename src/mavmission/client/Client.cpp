@@ -195,7 +195,7 @@ void Client::sendShort(KeyIndex message, uint16_t number, PlanType type) {
                     offsetof(mavlink_mission_clear_all_t, mission_type) == 2 &&
                     offsetof(mavlink_mission_ack_t, type) == 2 && offsetof(mavlink_mission_ack_t, mission_type) == 3,
                 "the short messages must lie as they are made here");
-  uint8_t* const payload = static_cast<uint8_t*>(link_.draft());
+  uint8_t* const payload = static_cast<uint8_t*>(link_.draftToSend());
   memset(payload, 0, sizeof(mavlink_mission_count_t));
   payload[0] = static_cast<uint8_t>(number);
   payload[1] = static_cast<uint8_t>(number >> 8);

@@ -196,18 +196,17 @@ void Link::onTime(uint16_t nowMs) {
   damage_ = damage;
   pace_.noteBusy(outbox_.busyMs(*stream_, nowMs));
   finder_.onTime(nowMs);
-  const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
-  if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
+  if (state_.heartbeatSent && since(state_.heartbeatMs, nowMs) < kHeartbeatMs) return;
   if (!canSend() || !maySpeak()) return;
   // The next heartbeat is due one period after this one was due, so that late calls do not make heartbeats rarer.
-  const bool late = !state_.heartbeatSent || elapsedMs >= 2 * kHeartbeatMs;
-  state_.heartbeatMs = late ? nowMs : state_.heartbeatMs + kHeartbeatMs;
+  state_.heartbeatMs += kHeartbeatMs;
+  if (!state_.heartbeatSent || since(state_.heartbeatMs, nowMs) >= kHeartbeatMs) state_.heartbeatMs = nowMs;
   state_.heartbeatSent = true;
   sendHeartbeat();
 }
 
 void Link::sendHeartbeat() {
-  mavlink_heartbeat_t& heartbeat = *static_cast<mavlink_heartbeat_t*>(draft());
+  mavlink_heartbeat_t& heartbeat = *static_cast<mavlink_heartbeat_t*>(outbox_.draft());
   makeOwnHeartbeat(heartbeat);
   send(heartbeat);
 }

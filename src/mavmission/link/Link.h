@@ -103,6 +103,8 @@ class Link : public LinkRules {
     outbox_.drop();
     return outbox_.draft();
   }
+  // The same for a message that is sent at once: that drops what was prepared, too.
+  void* draftToSend() { return outbox_.draft(); }
   MAVMISSION_APART void release();
 
   // Sends a message of the sketch's own; false if that cannot be done now.
@@ -201,9 +203,9 @@ class Link : public LinkRules {
   AutopilotFinder finder_;
   Stream* stream_;
   Pace pace_;
-  uint8_t damage_;  // low byte of what has been counted as skipped or lost
   State state_;
   Outbox outbox_;
+  uint8_t damage_;  // low byte of what has been counted as skipped or lost
   FrameParser parser_;
 
 #if MAVMISSION_SIGNING

@@ -11,9 +11,8 @@ namespace mavmission {
 namespace detail {
 namespace {
 
-// Copies bytes towards the front, and returns the place behind the copy. (Apart, avr-gcc has two registers for the two
-// places.)
-MAVMISSION_APART uint8_t* copyToFront(uint8_t* to, const uint8_t* from, uint8_t length) {
+// Copies bytes towards the front, and returns the place behind the copy.
+uint8_t* copyToFront(uint8_t* to, const uint8_t* from, uint8_t length) {
   if (length != 0) {
     do *to++ = *from++;
     while (--length != 0);  // quicker than a loop that asks first

@@ -8,10 +8,8 @@
 namespace mavmission {
 namespace detail {
 
-// Fills it in. `customMode`: 0, or a mark by which its sender knows it again on a line that is looped back.
-inline void makeOwnHeartbeat(mavlink_heartbeat_t& heartbeat, uint32_t customMode = 0) {
+inline void makeOwnHeartbeat(mavlink_heartbeat_t& heartbeat) {
   memset(&heartbeat, 0, sizeof heartbeat);
-  heartbeat.custom_mode = customMode;
   heartbeat.type = MAV_TYPE_ONBOARD_CONTROLLER;
   heartbeat.autopilot = MAV_AUTOPILOT_INVALID;
   heartbeat.system_status = MAV_STATE_ACTIVE;

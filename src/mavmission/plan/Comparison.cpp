@@ -104,7 +104,7 @@ MAVMISSION_APART MAVMISSION_ONE_EXIT bool keep(Four& kept, const Four& sent, uin
                                                bool is) {
   const bool isZ = field == kZ;
   kept = sent;
-  if (kind == D || (kind == NoYaw && field == kYaw)) {
+  if (kind == D || (kind == NoYaw && field == kYaw) || (kind == Later && field == 0)) {
     kept.bits = 0;
     return true;
   }

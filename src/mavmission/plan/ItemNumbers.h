@@ -23,7 +23,7 @@ class ItemNumbers {
   bool isHomeAdded() const { return kServesArduPilot && home_ == kBefore; }
   // 1 if wire item 0 is home, whoever counts it, else 0.
   uint8_t home() const { return kServesArduPilot && home_ != 0 ? 1 : 0; }
-  bool isHome(uint16_t wireItem) const { return wireItem < home(); }
+  bool isHome(uint16_t wireItem) const { return wireItem == 0 && home() != 0; }
   bool isOwnHome(uint16_t item) const { return item == 0 && home_ == kCounted; }
 
   uint16_t toWire(uint16_t item) const { return item + before(); }

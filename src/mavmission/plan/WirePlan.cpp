@@ -62,20 +62,23 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
   if (item.current > 1) return Status::BadCurrent;
   const Keeper keeper = keeper_;  // once from memory, since the item might be there
   // param1 to param4, x, y and z lie one after the other, four bytes each.
-  const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
-  for (uint8_t bit = 1 << 1; bit != 0; bit <<= 1, number += 4) {
+  uint8_t* number = reinterpret_cast<uint8_t*>(&item);
+  uint16_t kinds = static_cast<uint16_t>(rules.bits);  // of param1 to param4; behind them 0, which is K
+  for (uint8_t bit = 1 << 1; bit != 0; bit <<= 1, kinds >>= 4, number += 4) {
     if ((bit & (1 << 5 | 1 << 6)) != 0) continue;
     const FloatKind kind = kindOf(number);
     if (kind == FloatKind::Infinite) return Status::NotFinite;
-    if (kind != FloatKind::NotANumber) continue;
-    // ArduPilot takes none, as do those with a table of their own. As a yaw a NaN means "as you fly": ArduPilot has 0
-    // for that, and the others turn to no heading.
-    const bool isTaken = !isByArduPilot(keeper) && !isByOwn(keeper);
-    if (bit == 1 << 4 && rules.hasYaw()) {
-      if (!isTaken) item.param4 = 0;
-    } else if (!isTaken || (unsetOf(item.command) & bit) == 0) {
-      return Status::NotANumber;
+    const uint8_t keptAs = static_cast<uint8_t>(kinds) & 15;
+    if (!isByPx4(keeper) || keptAs != keeping::D) {
+      if (kind == FloatKind::Finite) continue;
+      // ArduPilot takes no NaN, nor do those with a table of their own.
+      const bool isTaken = !isByArduPilot(keeper) && !isByOwn(keeper);
+      const bool isYaw = bit == 1 << 4 && Rules::isYaw(keptAs);
+      if (!isYaw && (!isTaken || (unsetOf(item.command) & bit) == 0)) return Status::NotANumber;
+      // As a yaw it means "as you fly": ArduPilot has 0 for that, and the others turn to no heading.
+      if (isTaken) continue;
     }
+    memset(number, 0, 4);
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
   const bool isArduPilot = isByArduPilot(keeper);
@@ -177,10 +180,12 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
 Status WirePlan::settle(uint16_t index, MissionItem& item) const {
   if (!read_(context_, index, item)) return Status::SourceRefused;
   if (isByPx4(keeper_)) {
-    // PX4 takes both for the same, but 1.18 takes no place in DO_SET_ROI.
-    if (item.command == kDoSetRoi) item.command = kNavRoi;
-    // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
-    if (item.command == kDoJump && is(item.param2, kMinus1)) item.param2 = 65535;
+    if (item.command == kDoSetRoi) {
+      item.command = kNavRoi;  // PX4 takes both for the same, but 1.18 takes no place in DO_SET_ROI
+    } else if (item.command == kDoJump && is(item.param2, kMinus1)) {
+      // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
+      item.param2 = 65535;
+    }
   }
   const Rules rules = rulesOf(item, keeper());
   item.frame = rules.has(kHasNoPlace) ? Frame::Mission : modern(item.frame);

@@ -197,7 +197,9 @@ void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   Link& link = client_.link();
   mark_ = nowMs;
   mavlink_heartbeat_t heartbeat;
-  makeOwnHeartbeat(heartbeat, uint32_t{kMarkAbove} << 16 | mark_);
+  makeOwnHeartbeat(heartbeat);
+  // By this it is known again on a line that is looped back.
+  heartbeat.custom_mode = uint32_t{kMarkAbove} << 16 | mark_;
   // The link sends nothing before it knows an autopilot, unless it has ids of its own: it gets some for this frame.
   const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();

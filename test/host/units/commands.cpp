@@ -90,7 +90,8 @@ TEST_CASE("a command that a vehicle was recorded to take is not refused for it, 
       MissionItem item = anyCommandAt(command, 1_deg, 1_deg, 20_m);
       CAPTURE(vehicle.first);
       CAPTURE(command);
-      const bool isTaken = vehicle.second.count(command) != 0;
+      // DO_AUTOTUNE_ENABLE: PX4 takes it from 1.18 on, which was not recorded, and an older one refuses it itself.
+      const bool isTaken = vehicle.second.count(command) != 0 || (command == 212 && vehicle.first == "px4");
       CHECK(rulesOf(item, keepers[vehicle.first]).has(kIsNotTaken) == !isTaken);
     }
   }

@@ -150,7 +150,8 @@ TEST_CASE("a NaN is refused but where it means unset, an infinity everywhere") {
       MissionItem item = kHere;
       item.*number = kNaN;
       const bool isRadius = number == &MissionItem::param2 && firmware != Firmware::ArduPilot;
-      const bool isUnset = number == &MissionItem::param4 || isRadius;
+      const bool isUnused = number == &MissionItem::param3 && firmware == Firmware::Px4;
+      const bool isUnset = number == &MissionItem::param4 || isRadius || isUnused;
       CHECK((check(item, firmware) == (isUnset ? Status::Accepted : Status::NotANumber)));
       CHECK((check(item, firmware, true) == (isUnset ? Status::Accepted : Status::NotANumber)));
       item.*number = kInfinity;
@@ -175,13 +176,90 @@ TEST_CASE("of the commands without a yaw those take a NaN to which it means some
       const bool isUnset = mayBeUnset(command, i < 4 ? i + 1 : 7);
       if (isUnset) ++taken;
       for (Firmware firmware : {Firmware::Px4, Firmware::Other}) {
-        CHECK((check(item, firmware) == Status::NotANumber) == !isUnset);
+        // PX4 uses no parameter of it.
+        const bool isUnused = command == 195 && i < 4 && firmware == Firmware::Px4;
+        CHECK((check(item, firmware) == Status::NotANumber) == !(isUnset || isUnused));
         if (isUnset) CHECK((check(item, firmware) == Status::Accepted));
       }
       CHECK((check(item, Firmware::ArduPilot) == Status::NotANumber));
     }
   }
   CHECK(taken == 3 + 4 + 4 + 3 + 3 + 1 + 2 + 4 + 4);
+}
+
+TEST_CASE("what PX4 does not use goes out as 0, whatever it was, and as it is to others") {
+  float MissionItem::*const params[] = {&MissionItem::param1, &MissionItem::param2, &MissionItem::param3,
+                                        &MissionItem::param4};
+  const struct {
+    uint16_t command;
+    const char* unused;  // of param1 to param4
+    PlanType type;
+  } kCases[] = {
+      {16, "3", PlanType::Mission},     {17, "12", PlanType::Mission},   {19, "", PlanType::Mission},
+      {20, "", PlanType::Mission},      {21, "3", PlanType::Mission},    {22, "123", PlanType::Mission},
+      {31, "3", PlanType::Mission},     {80, "234", PlanType::Mission},  {84, "123", PlanType::Mission},
+      {85, "123", PlanType::Mission},   {93, "", PlanType::Mission},     {178, "", PlanType::Mission},
+      {195, "1234", PlanType::Mission}, {201, "234", PlanType::Mission}, {4501, "1234", PlanType::Mission},
+      {5000, "1234", PlanType::Fence},  {5001, "234", PlanType::Fence},  {5002, "234", PlanType::Fence},
+      {5003, "234", PlanType::Fence},   {5004, "234", PlanType::Fence},  {5100, "1234", PlanType::Rally},
+  };
+  for (const auto& one : kCases) {
+    CAPTURE(one.command);
+    const bool hasPlace = one.command != 20 && one.command != 93 && one.command != 178;
+    for (char number = '1'; number <= '4'; ++number) {
+      CAPTURE(number);
+      float MissionItem::*const param = params[number - '1'];
+      const bool isUnused = strchr(one.unused, number) != nullptr;
+      MissionItem item = hasPlace ? anyCommandAt(one.command, 1_deg, 2_deg, 20_m) : anyCommand(one.command);
+      MissionItem sent;
+      item.*param = 1;
+      Plan whole({item}, Firmware::Px4, false, one.type);
+      const bool isRoiMode = (one.command == 80 || one.command == 201) && number == '1';  // of which 1 is no place
+      if (isRoiMode) continue;
+      REQUIRE((whole.read(0, sent) == Status::Accepted));
+      if (isUnused) {
+        CHECK(sent.*param == 0.f);
+        item.*param = kNaN;
+        Plan unset({item}, Firmware::Px4, false, one.type);
+        REQUIRE((unset.read(0, sent) == Status::Accepted));
+        CHECK(sent.*param == 0.f);
+        item.*param = kInfinity;
+        CHECK((Plan({item}, Firmware::Px4, false, one.type).last() == Status::NotFinite));
+        item.*param = 1;
+        Plan other({item}, Firmware::Other, false, one.type);
+        if (other.read(0, sent) == Status::Accepted) CHECK(sent.*param == 1.f);
+        Plan arduPilot({item}, Firmware::ArduPilot, true, one.type);
+        if (arduPilot.read(0, sent) == Status::Accepted) CHECK(sent.*param == 1.f);
+      } else {
+        CHECK(sent.*param == 1.f);
+      }
+    }
+  }
+}
+
+TEST_CASE("on PX4 a landing keeps the height to abort at, which 1.18 uses, and to 1.17 it may come back as 0") {
+  MissionItem land = anyCommandAt(kNavLand, 1_deg, 2_deg, 0_m), sent;
+  land.param1 = 12;
+  Plan plan({land}, Firmware::Px4);
+  REQUIRE((plan.read(0, sent) == Status::Accepted));
+  CHECK(sent.param1 == 12.f);
+  MissionItem read = sent;
+  CHECK((difference(sent, read, plan.wire.keeper()) == ItemField::None));
+  read.param1 = 0;
+  CHECK((difference(sent, read, plan.wire.keeper()) == ItemField::None));
+  read.param1 = 5;
+  CHECK((difference(sent, read, plan.wire.keeper()) == ItemField::Param1));
+  land.param1 = kNaN;
+  CHECK((check(land, Firmware::Px4) == Status::NotANumber));
+}
+
+TEST_CASE("PX4 gets DO_AUTOTUNE_ENABLE, which newer ones take") {
+  MissionItem item = anyCommand(212, 1, 2), sent;
+  Plan plan({item}, Firmware::Px4);
+  REQUIRE((plan.read(0, sent) == Status::Accepted));
+  CHECK((sent.frame == Frame::Mission));
+  CHECK(sent.param1 == 1.f);
+  CHECK(sent.param2 == 2.f);
 }
 
 TEST_CASE("current says where to begin, and 2 and more would mean fly there now") {
