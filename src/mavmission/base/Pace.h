@@ -37,7 +37,7 @@ class Pace : public PaceRules {
   // True if `ms` after something new was sent an answer is no longer one to what was sent before that.
   bool isBehind(uint16_t ms) const { return ms >= roundTripMs_ + kLeastMs; }
   // A request that comes again sooner than that after its answer was sent before the answer arrived.
-  MAVMISSION_APART uint16_t sameRequestMs() const;
+  uint16_t sameRequestMs() const;
   // A request came again `afterMs` after our last answer to it: the answer, or the next request, was lost. A quicker
   // repeat says nothing: the next request may still be under way on a slow or full line.
   void noteRepeat(uint16_t afterMs) {

@@ -15,9 +15,9 @@ struct Client::Uploading {
   static void frame(Client& client, const FrameParser& frame, uint16_t nowMs);
   static Status proven(Client& client, uint32_t opaqueId);
   MAVMISSION_ONE_EXIT static void goOn(Client& client, Status status, uint16_t nowMs);
-  MAVMISSION_APART static Aboard aboardAfter(const Client& client, Status status);
+  static Aboard aboardAfter(const Client& client, Status status);
   static void send(Client& client, uint16_t nowMs);
-  MAVMISSION_APART static void sendAnnouncement(Client& client);
+  static void sendAnnouncement(Client& client);
   MAVMISSION_APART MAVMISSION_ONE_EXIT static void prepare(Client& client, uint16_t wireItem, uint16_t nowMs);
   static bool takeUp(Client& client, Status status, uint16_t nowMs);
   static bool fallBackToFloats(Client& client, Status status, uint16_t nowMs);
