@@ -48,6 +48,7 @@ enum Trait : uint64_t {
   kIsReadBack = 1ull << 41,         // its acceptance alone is no proof
   kMayBeOld = 1ull << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
   kRefusesTakenItems = 1ull << 25,  // answers an item that it has received already with INVALID_SEQUENCE
+  kIgnoresOtherItems = 1ull << 44,  // says nothing to an item that is not the one that it waits for
   kAnswersAnyRequest = 1ull << 43,  // answers each MISSION_REQUEST_INT, in any order and however soon
   kHasPlanFiles = 1ull << 28,       // gives and takes its plans as files too, by MAVLink FTP
 
@@ -90,7 +91,7 @@ enum Trait : uint64_t {
     kIsActiveInAir | kTellsTotal | kSaysUploadsInWords | kTellsArmingChecks)                               \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
-    kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
+    kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kIgnoresOtherItems | kArmsByMissionStart |  \
     kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea |                   \
     kNeedsStream | kRefusesAndRepositions | kIntegersAsBits | kFliesToPlacesInHold | kTakesOffInOwnMode |  \
     kUnsetPlaceIsHere | kCriticalInFailsafe | kSameHeightsWithoutHome |                                    \

@@ -19,6 +19,8 @@ class Pace : public PaceRules {
   }
   bool isLossy() const { return lossyS_ != 0; }
   uint16_t roundTripMs() const { return roundTripMs_; }
+  // Answers come before anything is repeated that might do harm.
+  bool isNear() const { return roundTripMs_ < kLeastMs; }
 
   // An answer has come `roundTripMs` after the first sending of its question. `isSure`: the question was sent only
   // once. If it was sent more than once, it is not known which sending was answered: the round trip takes no longer

@@ -39,6 +39,7 @@ struct UploadRules {
   static constexpr uint16_t kLateRequestMs = 500;  // for an older item: within this time of a newer one it is late
   static constexpr uint16_t kLateErrorMs = 2500;   // an ERROR so long behind a new request answers nothing from before
   static constexpr uint16_t kRoomMs = 700;         // after eight repeats in a row, for an unknown server's own timeout
+  static constexpr uint8_t kCopies = 4;  // of an item to PX4 on a lossy link; then it and the next one in turn
   static constexpr uint16_t kConfirmingMs = 9000;  // from the last item's request to the end, repeats included
 };
 

@@ -238,7 +238,8 @@ void Client::Uploading::goOn(Client& client, Status status, uint16_t nowMs) {
     case Status::Unconfirmed: client.unsettle(); break;
     default:
       client.settle();
-      if (client.transfer_.hasBegun()) client.noteFailed(client.transfer_.lastItem());
+      if (client.transfer_.hasBegun() && client.transfer_.isLastItemRefused())
+        client.noteFailed(client.transfer_.lastItem());
       break;
   }
   client.end(status);
@@ -283,7 +284,7 @@ void Client::Uploading::send(Client& client, uint16_t nowMs) {
   if (isNothingDue && (client.link_.isPrepared() || !client.transfer_.expectsRequest())) return;
   if (!client.link_.canSend()) return;
   if (isNothingDue) return prepare(client, client.transfer_.nextItem(), nowMs);
-  if (client.transfer_.toSend() != UploadTransfer::Send::Item) {
+  if (client.transfer_.toSend() < UploadTransfer::Send::Item) {
     sendAnnouncement(client);
   } else if (client.isPrepared(client.transfer_.itemToSend())) {
     client.link_.release();

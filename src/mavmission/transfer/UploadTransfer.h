@@ -28,7 +28,7 @@ namespace detail {
 class UploadTransfer : public UploadRules {
  public:
   typedef UploadState State;
-  enum class Send : uint8_t { Nothing, Count, Item, Cancel };
+  enum class Send : uint8_t { Nothing, Count, Cancel, Item, NextItem };
 
   // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kFromOpen,
   // kFromBusy, kFromBefore.
@@ -47,12 +47,12 @@ class UploadTransfer : public UploadRules {
   // goes on, or else the status with which it has ended. What they learn about the line is kept in `pace`.
   Status onRequest(uint16_t item, uint16_t nowMs, Pace& pace);
   Status onAck(uint8_t result, uint16_t nowMs, Pace& pace);
-  MAVMISSION_APART Status onTime(uint16_t nowMs, Pace& pace);
+  Status onTime(uint16_t nowMs, Pace& pace);
 
   // The output: what to send next and, for an item, its number. Call sent() when it has been handed to the link.
   Send toSend() const { return send_; }
-  uint16_t itemToSend() const { return item_; }
-  MAVMISSION_APART void sent(uint16_t nowMs);
+  uint16_t itemToSend() const { return send_ == Send::NextItem ? nextItem() : item_; }
+  void sent(uint16_t nowMs);
 
   // An item was requested by MISSION_REQUEST_INT.
   void noteInt() { isAskedByInt_ = true; }
@@ -75,8 +75,9 @@ class UploadTransfer : public UploadRules {
   // The item after the one that the autopilot waits for. While expectsRequest(), it may be packed in advance.
   uint16_t nextItem() const { return item_ + 1; }
   bool expectsRequest() const { return state_ != State::Confirming && nextItem() < behind_; }
-  // The item that was sent last: a refusal is about this item.
+  // The current item: a refusal is about this item, unless it may be about the next one.
   uint16_t lastItem() const { return item_; }
+  bool isLastItemRefused() const { return tries_ <= kCopies || !detail::has(firmware_, kIgnoresOtherItems); }
 
  private:
   struct Now;

@@ -769,6 +769,65 @@ TEST_CASE("an item is sent again after three quarters of a round trip, but 4 tim
   }
 }
 
+TEST_CASE("on a line that loses, PX4 gets four copies of an item, then the next one in turn, but not the last one") {
+  Upload upload(4, Firmware::Px4);
+  upload.served(1);
+  upload.pace.noteLoss();
+  const auto leaves = [&] {
+    while (upload.transfer.toSend() == Send::Nothing) CHECK(goesOn(upload.wait(1)));
+    const uint16_t item = upload.transfer.itemToSend();
+    upload.send();
+    CHECK(upload.transfer.isLastItemRefused() == (upload.transfer.tries() <= 4));
+    return item;
+  };
+  for (int copy = 2; copy <= 17; ++copy) CHECK(leaves() == (copy > 4 && copy % 2 != 0 ? 1 : 0));
+  CHECK(upload.transfer.itemsAskedFor() == 1);
+
+  SUBCASE("it asks for the first of them once more") {
+    leaves();
+    while (upload.transfer.toSend() == Send::Nothing) upload.wait(1);
+    CHECK((upload.transfer.toSend() == Send::NextItem));
+    CHECK(goesOn(upload.request(0)));
+    CHECK(leaves() == 0);
+  }
+  SUBCASE("it asks for the second, and all is as if that had not left yet") {
+    CHECK(goesOn(upload.request(1)));
+    CHECK(upload.transfer.itemsAskedFor() == 2);
+    for (int copy = 1; copy <= 4; ++copy) CHECK(leaves() == 1);
+  }
+  SUBCASE("it asks for the one after, since it has taken both; the one behind that is the last") {
+    CHECK(goesOn(upload.request(2)));
+    CHECK(upload.transfer.itemsAskedFor() == 3);
+    while (upload.transfer.tries() <= 20) CHECK(leaves() == 2);
+    CHECK((upload.transfer.state() == State::Sending));
+    CHECK(goesOn(upload.request(3)));
+    CHECK(leaves() == 3);
+    CHECK((upload.ack(kAccepted) == Status::Accepted));
+  }
+  SUBCASE("what it asks for beyond that answers nothing that has left") {
+    CHECK(goesOn(upload.request(3)));
+    CHECK(upload.transfer.itemsAskedFor() == 1);
+  }
+}
+
+TEST_CASE("where answers come late, each copy is of the item that PX4 has asked for") {
+  for (const uint16_t roundTripMs : {49, 50}) {
+    Upload upload(9, Firmware::Px4);
+    upload.send();
+    upload.wait(roundTripMs);
+    upload.request(0);
+    upload.send();
+    upload.pace.noteLoss();
+    for (int copy = 2; copy <= 5; ++copy) {
+      while (upload.transfer.toSend() == Send::Nothing) upload.wait(1);
+      CHECK((upload.send() == (roundTripMs < 50 && copy == 5 ? Send::NextItem : Send::Item)));
+    }
+    upload.request(2);
+    CHECK(upload.transfer.itemsAskedFor() == (roundTripMs < 50 ? 3 : 1));
+    CHECK(upload.pace.roundTripMs() == roundTripMs);  // a jump over what has left is no late answer
+  }
+}
+
 TEST_CASE("a request that is repeated says that the line loses; one of a queue that is being emptied does not") {
   Upload upload(3);
   upload.served(1);
