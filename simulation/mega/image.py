@@ -53,6 +53,7 @@ class Image:
     symbols: list[Symbol] = field(default_factory=list)
     globals_bytes: int = 0  # .data, .bss and .noinit
     mcu: str | None = None
+    _found: dict[str, Symbol] = field(default_factory=dict, repr=False, compare=False)  # by what it was asked for
 
     @classmethod
     def load(cls, path: str | Path) -> Image:
@@ -69,8 +70,11 @@ class Image:
 
     def symbol(self, name: str) -> Symbol:
         """A symbol by its mangled name, or its C++ name with or without the parameters."""
+        if name in self._found:
+            return self._found[name]
         found = [s for s in self.symbols if s.is_called(name)]
         if len({s.address for s in found}) == 1:
+            self._found[name] = found[0]
             return found[0]
         if found:
             several = ", ".join(sorted(s.name for s in found))
