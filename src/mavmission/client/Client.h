@@ -77,7 +77,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   uint32_t customMode() const { return link_.finder().heartbeat().customMode; }
 
   // The time that a frame for us takes, as a number of bytes that could be read in that time [bytes].
-  static constexpr uint8_t kFrameBytes = 16;
+  static constexpr uint8_t kFrameBytes = 20;
 
   // As PlanPort::isShortFence() says [items].
   static constexpr uint8_t kShortFence = 3;
