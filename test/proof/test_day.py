@@ -44,7 +44,7 @@ MOVED = [*LONG[:PART_FIRST],
 MISSIONS = [SURVEY, LONG, LONG[:1], LONG[2:9], []]
 ONCE_ONLY = 183  # DO_SET_SERVO: neither fake has a servo
 GUIDED, HOLD = 1, 3
-REQUEST_MESSAGE = 512
+REQUEST_MESSAGE, SET_MESSAGE_INTERVAL, MISSION_CURRENT = 512, 511, 42
 REFUSED = {"CommandUnsupported", "CommandFailed", "CommandDenied", "CommandRejected"}
 
 
@@ -280,6 +280,7 @@ class Day:
 
         What was sent, but for heartbeats, and when [s]; whether anything is still going on; the client's bytes.
         """
+        self.do("mode", lambda: self.client.order("mode", HOLD), {"Done"})
         self.client.run_until(2 * (self.client.now // 2) + 2.0)
         seen: list[tuple[float, str, str]] = []
         drawn, self.random = self.random, random.Random(1)
@@ -311,9 +312,11 @@ class Day:
 
 
 def is_by_the_clock(message, operation: str) -> bool:
-    """Our heartbeat; and start() requests the autopilot's as often as that does not come by itself meanwhile."""
-    is_request = getattr(message, "command", None) == REQUEST_MESSAGE
-    return message.get_type() == "HEARTBEAT" or (operation == "start" and is_request)
+    """Our heartbeat; what start() requests as often as the autopilot's does not come by itself meanwhile; and what the
+    follower asks for when MISSION_CURRENT has not come for a second."""
+    command = getattr(message, "command", None)
+    is_follower = command == SET_MESSAGE_INTERVAL and message.param1 == MISSION_CURRENT
+    return message.get_type() == "HEARTBEAT" or is_follower or (operation == "start" and command == REQUEST_MESSAGE)
 
 
 def live_through(day: Day, until_s: float) -> None:
