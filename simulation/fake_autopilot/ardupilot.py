@@ -1,4 +1,5 @@
 """ArduPilot 4.6.3: its modes, its commands, its flight, around its mission protocol."""
+import itertools
 import math
 from collections.abc import Iterable
 
@@ -6,7 +7,7 @@ from . import hearing, instruments, parameters
 from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
-from .flight import PLACE_IGNORED, TAKEOFF, VTOL_TAKEOFF, Flight, Place
+from .flight import LANDINGS, PLACE_IGNORED, TAKEOFF, VTOL_TAKEOFF, WAYPOINT, Flight, Place
 from .ftp import Ftp
 from .items import FENCE, MISSION, RALLY, Item, f32, whole_number
 from .parameters import NO_INDEX
@@ -34,6 +35,7 @@ _ITEM_NAMES = {16: "WP", 22: "Takeoff", 20: "RTL", 21: "Land", 17: "LoitUnlim",
 TIMESYNC_PERIOD_S = 10.0
 RUNTIME_PERIOD_S = 30.0
 DISARM_AFTER_LANDING_S = 2.0
+LANDS_AFTER_M = 27.0  # a quadplane's last waypoint must be so far before its landing; by its cruising speed
 PLANE_DISARMS_S = 20.0  # LAND_DISARMDELAY's default; by source
 ON_THE_GROUND_S = 0.02  # a copter in LAND that stands on the ground disarms after so long
 LANDED_AFTER_ARMING_S = 2.0  # a copter in LAND that never left the ground disarms no earlier
@@ -363,9 +365,18 @@ class ArduPilot(FakeAutopilot):
     def _why_not_armed(self, now: float) -> str | None:
         if now < self.booted_at_s + self.kind.ready_s:
             return self.kind.not_ready
+        if self.kind.hovers and self._lands_too_short():
+            return f"Arm: VTOL land too short, min {LANDS_AFTER_M:.0f}m"
         if self.mode == "AUTO" and int(self.parameters.value("AUTO_OPTIONS")) & 1:
             return None
         return f"Arm: {self.mode} mode not armable" if self.mode in self.kind.not_armed_in else None
+
+    def _lands_too_short(self) -> bool:
+        """Whether a landing of its plan is nearer to the waypoint before than it can stop within."""
+        held = self.missions[MISSION].held[1:]
+        return any(item.command in LANDINGS and before.command == WAYPOINT
+                   and Place(item.x, item.y, 0.0).distance(Place(before.x, before.y, 0.0)) < LANDS_AFTER_M
+                   for before, item in itertools.pairwise(held))
 
     def _disarm_if_idle(self, now: float) -> None:
         takes_off = self.mode == "AUTO" and self._may_take_off
@@ -633,6 +644,9 @@ class ArduPilot(FakeAutopilot):
     def _leg_over(self, now: float) -> None:
         self._of_its_own_accord = True
         self.flight.advance(now)
+        if self.mode == "RTL" and self.kind.hovers and self.flight.sinking:
+            self.mode = "QRTL"  # with Q_RTL_MODE 1
+            self.answer(self.heartbeat(), now, later_s=0.003)
         self._follow_flight()
         self._of_its_own_accord = False
 

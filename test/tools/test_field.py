@@ -59,7 +59,7 @@ GOOD = {
     "ardurover": ("nothing is lost", "StartMission, undisturbed", "StartButton, a pilot lands",
                   "NextWaypoint, the board is reset", "example GoToPlaces"),
     "arduplane": ("example EnsureMission", "example WorkAtWaypoints", "StartMission, undisturbed"),
-    "quadplane": ("GoToPlaces, undisturbed",),
+    "quadplane": ("GoToPlaces, undisturbed", "GoToPlaces, a failsafe", "example NextWaypoint"),
 }  # fmt: skip
 
 
@@ -111,6 +111,22 @@ def flies_on(stand_in: StandIn) -> None:
         autopilot.at("undone", stand_in.now + 2.0, lambda now: stand_in.set_mode(plan))
 
 
+def holds_first(stand_in: StandIn) -> None:
+    """A failsafe sets the mode of a pilot, and that of the return two seconds later."""
+    if hasattr(stand_in, "returns"):
+        return
+    stand_in.returns, stand_in.holds_until = stand_in._fail, None
+
+    def fail() -> None:
+        if stand_in.holds_until is None:
+            stand_in.holds_until = stand_in.now + 2.0
+            stand_in.set_mode(CREWS[stand_in.name].takes)
+        elif stand_in.now >= stand_in.holds_until:
+            stand_in.returns()
+
+    stand_in._fail = fail
+
+
 def puts_back(stand_in: StandIn) -> None:
     """The plan that another has replaced in flight is aboard again."""
     held = stand_in.autopilot.missions[0].held
@@ -149,6 +165,8 @@ FOUND = [
     *((vehicle, *one) for vehicle in ("arducopter", "px4", "ardurover") for one in BOTH),
     ("arduplane", *BOTH[0]),
     ("arducopter", "StartMission, the battery is low", {"defect": flies_on}, "other modes came behind it: ['AUTO'"),
+    ("arducopter", "StartMission, a failsafe", {"defect": holds_first}, "'ended by a pilot', and none was there"),
+    ("ardurover", "StartMission, the battery is low", {"defect": holds_first}, "a pilot', and none was there"),
     (
         "arducopter",
         "StartMission, a station uploads another plan",

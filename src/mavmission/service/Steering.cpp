@@ -130,7 +130,7 @@ void Steering::takeHeartbeat() {
   const bool isGap = static_cast<uint16_t>(nowS - beatS_) >= kForgetS;
   beatS_ = nowS;
   if (isGap || knowledge_ != client_.autopilot().knowledge()) forgetShown();
-  const uint16_t shown = client_.commands().shownMode();
+  const uint16_t shown = shownMode();
   const bool isArmed = client_.autopilot().isArmed();
   const bool isInMission = ownMode_ == kNoMode || ownMode_ == kPx4TakeOff;
   if (!isArmed) {
@@ -176,12 +176,12 @@ bool Steering::isPositionKnown() const { return positionAgeS() <= kFreshS; }
 void Steering::requestControl() {
   client_.noteTaken(Status::Idle);
   seenDisarmed_ = true;
-  ownMode_ = client_.commands().shownMode();
+  ownMode_ = shownMode();
   isRequested_ = client_.autopilot().heartbeat().baseMode == 0;  // none was heard
 }
 
 bool Steering::isInHoldAloft() const {
-  return client_.commands().shownMode() == client_.commands().numberOf(FlightMode::Hold) && !isFailsafe() && isInAir();
+  return shownMode() == client_.commands().numberOf(FlightMode::Hold) && !isFailsafe() && isInAir();
 }
 
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
@@ -204,7 +204,7 @@ void Steering::takePosition(const FrameParser& frame) {
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
   positionS_ = secondsNow();
-  if (ownMode_ == kPx4TakeOff && isInHoldAloft()) ownMode_ = hasClimbed() ? client_.commands().shownMode() : kNoMode;
+  if (ownMode_ == kPx4TakeOff && isInHoldAloft()) ownMode_ = hasClimbed() ? shownMode() : kNoMode;
   if (step_ == SteerStep::AskPosition) isHeard_ = true;
 }
 

@@ -26,7 +26,7 @@ void Steering::noteSent() {
 Status Steering::onHeartbeat(uint16_t nowMs) {
   CommandTransfer& sending = client_.commands().sending();
   if (step_ == SteerStep::Disarm) return client_.autopilot().isArmed() ? Status::Transferring : refusal_;
-  const uint16_t shown = client_.commands().shownMode();
+  const uint16_t shown = shownMode();
   const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
   // What the takeoff has armed, or has found armed, somebody has disarmed. (The arming may only have been answered.)
   const bool wasArmed = step_ > SteerStep::Arm || (step_ == SteerStep::Arm && isAnswered_ && sending.isDue());
@@ -70,7 +70,7 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
 Status Steering::onOwnMode(uint16_t nowMs) {
   if (isDenied_) return refusal_;
   isModeSeen_ = true;
-  ownMode_ = client_.commands().shownMode();
+  ownMode_ = shownMode();
   hadControl_ = client_.autopilot().isArmed();
   // PX4 takes off in a mode that its takeoff command alone sets: that mode stands for the acceptance, and no repeat is
   // sent.

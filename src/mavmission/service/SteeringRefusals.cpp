@@ -25,7 +25,7 @@ bool isHuge(float value) {
 
 bool Steering::isMissionMode() const {
   const uint16_t mission = client_.commands().numberOf(FlightMode::Auto);
-  return mission != kNoMode && client_.commands().shownMode() == mission;
+  return mission != kNoMode && shownMode() == mission;
 }
 
 // PX4 says CRITICAL while a failsafe flies, in whatever mode: HOLD, which is ours as well, is one of them. ArduPilot
@@ -40,14 +40,14 @@ bool Steering::maySteer() const { return client_.link().isCurrentAt(millis()) &&
 // As the last heartbeat has shown it, however old that is.
 bool Steering::isOurs() const {
   if (!client_.autopilot().isFound() || isFailsafe()) return false;
-  return isMissionMode() || (ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_);
+  return isMissionMode() || (ownMode_ != kNoMode && shownMode() == ownMode_);
 }
 
 // In a mode in which an aircraft flies by itself where a plan or an order has sent it: nobody is seen to fly it by
 // hand.
 bool Steering::isFlownByOrders() const {
   const CommandPort& commands = client_.commands();
-  const uint16_t shown = commands.shownMode();
+  const uint16_t shown = shownMode();
   const bool waitsInHold = has(client_.autopilot().firmware(), kFliesToPlacesInHold);
   return !isFailsafe() && (isMissionMode() || shown == commands.numberOf(FlightMode::Guided) ||
                            (waitsInHold && shown == commands.numberOf(FlightMode::Hold)));
@@ -108,7 +108,7 @@ Status Steering::otherHands() const { return isOurs() ? Status::Transferring : w
 
 // The same of a mode that somebody else has set, the mission's included.
 Status Steering::whoFlies() const {
-  const uint16_t shown = client_.commands().shownMode();
+  const uint16_t shown = shownMode();
   const bool isFailsafe = client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL ||
                           shown == client_.commands().numberOf(FlightMode::ReturnToLaunch) ||
                           shown == client_.commands().numberOf(FlightMode::Land);
@@ -121,6 +121,13 @@ bool Steering::isGround() const { return vehicle() == Vehicle::Rover; }
 bool Steering::isPlane() const {
   return has(client_.autopilot().firmware(), kModesByVehicle) && detail::isPlane(client_.autopilot().vehicleType());
 }
+
+// A QuadPlane's return may go over to QRTL by itself (Q_RTL_MODE): it counts as the same mode.
+uint16_t Steering::counted(uint16_t mode) const {
+  return mode == kQRtl && isPlane() ? client_.commands().numberOf(FlightMode::ReturnToLaunch) : mode;
+}
+
+uint16_t Steering::shownMode() const { return counted(client_.commands().shownMode()); }
 
 // True if the heartbeat tells whether it is in the air. ArduPilot's says ACTIVE in the air only, and CRITICAL in the
 // air and on the ground; PX4's says ACTIVE as soon as it is armed.
@@ -138,7 +145,7 @@ bool Steering::isInAir() const {
 // The plan of a plane, and that of a PX4, may end in the mode RTL or HOLD, which a pilot may have set, too: in RTL it
 // is not steered, but it counts as taken by nobody.
 bool Steering::mayBeOfPlan() const {
-  const uint16_t shown = client_.commands().shownMode();
+  const uint16_t shown = shownMode();
   const CommandPort& commands = client_.commands();
   if (client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL) return false;
   if (has(client_.autopilot().firmware(), kFliesByMode)) {
@@ -185,7 +192,7 @@ uint16_t Steering::wantedMode() const {
   const bool isInHold = has(client_.autopilot().firmware(), kFliesToPlacesInHold);
   switch (row_.mode) {
     case OrderMode::None: break;
-    case OrderMode::AsShown: return client_.commands().shownMode();
+    case OrderMode::AsShown: return shownMode();
     case OrderMode::TakingOff:
       if (has(client_.autopilot().firmware(), kTakesOffInOwnMode)) return kPx4TakeOff;
       return client_.commands().numberOf(FlightMode::Guided);

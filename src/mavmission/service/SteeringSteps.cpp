@@ -25,7 +25,7 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
     case CommandEvent::Ready: {
       const Status refusal = refuse();
       if (refusal != Status::Transferring || client_.commands().asksVehicle()) return refusal;
-      lead(client_.commands().firstMode(), wantedMode());
+      lead(counted(client_.commands().firstMode()), wantedMode());
       if (is(kStopsHere) && isGround() && wantsPosition()) {
         lead(change_.wanted(), client_.commands().numberOf(FlightMode::Hold));
       }
@@ -110,7 +110,7 @@ bool Steering::beginStep(uint16_t nowMs) {
       if (!wantsPosition() && (isFresh || !is(kTakesHeight))) return false;
       break;
     case SteerStep::Mode: {
-      const uint16_t shown = client_.commands().shownMode();
+      const uint16_t shown = shownMode();
       // PX4 that is armed in its mission's mode, or in that of a takeoff, takes off at once, and in OFFBOARD, without
       // targets, its failsafe flies it: so not in these.
       const bool isFirstHeld = isTakeOff && !has(client_.autopilot().firmware(), kFliesByMode) &&
@@ -218,7 +218,7 @@ void Steering::fillCommand(FlightCommand& command) const {
   command.id = MAV_CMD_DO_REPOSITION;
   // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
   // so it cannot take control from anybody.
-  if (client_.commands().shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
+  if (shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
   if (isUnsetHere && is(kStopsHere)) {  // stop here
     command.param5 = command.param6 = command.param7 = unset;
     return;
@@ -251,7 +251,7 @@ Status Steering::done() {
 // If a takeoff has armed and cannot go on, the aircraft is disarmed, while the sketch is in control. (If it flies all
 // the same, autopilots refuse that.)
 Status Steering::leave(Status refusal) {
-  const uint16_t shown = client_.commands().shownMode();
+  const uint16_t shown = shownMode();
   if (!hasArmed_ || isInAir() || (shown != change_.wanted() && shown != oldMode_)) return refusal;
   refusal_ = refusal;
   step_ = SteerStep::Disarm;
@@ -267,7 +267,7 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
     case SteerStep::Command:
       // A repeated takeoff is refused by an aircraft that is taking off already.
       if (is(kFromGround) && client_.commands().sending().tries() > 1) return nextStep(nowMs);
-      if (!is(kRepositions) || client_.commands().shownMode() != change_.wanted()) return leave(refusal);
+      if (!is(kRepositions) || shownMode() != change_.wanted()) return leave(refusal);
       if (refusal == Status::CommandUnsupported && has(client_.autopilot().firmware(), kRefusesAndRepositions)) {
         return nextStep(nowMs);
       }

@@ -161,6 +161,24 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
         "L22 0 0 0 0 0 0 5");
   quadPlane.pass(600);
   CHECK(ORDERED(quadPlane, landNow()) == "2: L176 1 20 0 0 0 0 0");
+  CHECK(ORDERED(quadPlane, returnHome()) == "1: L176 1 11 0 0 0 0 0");
+  quadPlane.pass(600);
+  quadPlane.show(kPlaneQRtl);  // by itself, near home
+  CHECK(quadPlane.steering.maySteer());
+  CHECK((quadPlane.client.takenBy() == Status::Idle));
+  CHECK(ORDERED(quadPlane, goTo(kPlace, 50_m)) == "2: I192 frame 6 -1 1 0 nan -353630000 1491652374 50");
+  quadPlane.show(kPlaneQRtl);  // nobody has ordered it
+  CHECK_FALSE(quadPlane.steering.maySteer());
+  CHECK((quadPlane.client.takenBy() == Status::FailsafeHasIt));
+
+  Aircraft near(ClientOnLine::kArduPilot, 20);
+  near.fly(kPlaneAuto);
+  near.gives[176] = kUnheard;  // it goes over to QRTL at once
+  near.steering.returnHome();
+  REQUIRE(near.passUntil(176));
+  near.show(kPlaneQRtl);
+  CHECK((near.ended == Status::Done));
+  CHECK(near.steering.maySteer());
 
   Aircraft px4(ClientOnLine::kPx4, 1);  // a plane of PX4 is told what any vehicle is told
   px4.stand(kPx4Position);
