@@ -75,9 +75,9 @@ FLIGHTS = tuple(Flown(example, befalls) for befalls, examples in BEFALLS.items()
 VEHICLES: dict[str, tuple[str, ...]] = {
     "arducopter": FLYING, "px4": FLYING, "ardurover": PLANNED,
     "arduplane": ("StartMission", "StartButton", "NextWaypoint"),
-    "quadplane": ("StartMission", "StartButton", "GoToPlaces")}  # fmt: skip
+    "quadplane": ("StartMission", "StartButton", "GoToPlaces"), "ardusub": ()}  # fmt: skip
 REFUSES = {"ardurover": ("GoToPlaces", "FollowBeacon"), "arduplane": ("WorkAtWaypoints", "GoToPlaces", "FollowBeacon"),
-           "quadplane": ("WorkAtWaypoints", "NextWaypoint")}  # fmt: skip
+           "quadplane": ("WorkAtWaypoints", "NextWaypoint"), "ardusub": ("GoToPlaces", "FollowBeacon")}  # fmt: skip
 NOT_FOR = {"px4": ("UploadByFile", "CheckParameters"),
            **dict.fromkeys(("arduplane", "quadplane"), ("VerifyUpload", "UploadByFile"))}  # fmt: skip
 PRINTED |= {example: "ended by a refusal: " for example in ("WorkAtWaypoints", "GoToPlaces", "FollowBeacon")}

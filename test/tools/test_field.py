@@ -60,6 +60,7 @@ GOOD = {
                   "NextWaypoint, the board is reset", "example GoToPlaces"),
     "arduplane": ("example EnsureMission", "example WorkAtWaypoints", "StartMission, undisturbed"),
     "quadplane": ("GoToPlaces, undisturbed", "GoToPlaces, a failsafe", "example NextWaypoint"),
+    "ardusub": ("the autopilot is armed", "example GoToPlaces"),
 }  # fmt: skip
 
 

@@ -42,6 +42,7 @@ CREWS = {
     "ardurover": Crew(VEHICLES["rover"].modes, "HOLD", None),
     "arduplane": Crew(VEHICLES["plane"].modes, lands="FBWA", disarms=True),
     "quadplane": Crew(VEHICLES["quadplane"].modes, "QLOITER", "QLAND"),
+    "ardusub": Crew(VEHICLES["sub"].modes, "MANUAL", None),
     "px4": Crew({"TAKEOFF": custom_mode(4, 2), "HOLD": custom_mode(4, 3), "MISSION": custom_mode(4, 4),
                  "RTL": custom_mode(4, 5), "LAND": custom_mode(4, 6), "POSITION": custom_mode(3),
                  "OFFBOARD": custom_mode(6)}, "POSITION", shows_s=HEARTBEAT_S),

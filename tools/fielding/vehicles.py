@@ -174,5 +174,12 @@ class QuadPlane(Copter, Plane):
         return [one + other for one, other in zip(carried, Plane.push(self, pulses, dt), strict=True)]
 
 
+class Submarine(Vehicle):
+    """It floats, and nobody moves it."""
+
+    def push(self, pulses: tuple[int, ...], dt: float) -> Vector:
+        return [0.0, 0.0, -GRAVITY]
+
+
 VEHICLES: dict[str, type[Vehicle]] = {
-    "arducopter": Copter, "ardurover": Rover, "arduplane": Plane, "quadplane": QuadPlane, "px4": Copter}  # fmt: skip
+    "ardusub": Submarine, "arducopter": Copter, "ardurover": Rover, "arduplane": Plane, "quadplane": QuadPlane, "px4": Copter}  # fmt: skip
