@@ -373,10 +373,10 @@ class ArduPilot(FakeAutopilot):
 
     def _lands_too_short(self) -> bool:
         """Whether a landing of its plan is nearer to the waypoint before than it can stop within."""
-        held = self.missions[MISSION].held[1:]
+        legs = itertools.pairwise(self.missions[MISSION].held[1:])
         return any(item.command in LANDINGS and before.command == WAYPOINT
-                   and Place(item.x, item.y, 0.0).distance(Place(before.x, before.y, 0.0)) < LANDS_AFTER_M
-                   for before, item in itertools.pairwise(held))
+                   and Place(int(item.x), int(item.y), 0.0).distance(Place(int(before.x), int(before.y), 0.0))
+                   < LANDS_AFTER_M for before, item in legs)
 
     def _disarm_if_idle(self, now: float) -> None:
         takes_off = self.mode == "AUTO" and self._may_take_off

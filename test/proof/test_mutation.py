@@ -11,7 +11,7 @@ import subprocess
 import pytest
 
 from mutating import report, run, syntax, together
-from mutating.explained import explained, without_a_mutant
+from mutating.explained import explained, file_of, without_a_mutant
 from mutating.judging import SAME, SURVIVED, judge
 from mutating.kinds import KINDS
 from mutating.mutants import mutants_of
@@ -27,7 +27,7 @@ def test_every_mutant_of_a_fixed_sample_is_found(record_property):
     reasons = explained()
     drawn = run.drawn([subject.name for subject in ENGINES], SAMPLE, seed=1)
     drawn += run.drawn([subject.name for subject in AROUND], SAMPLE_AROUND, seed=1)
-    verdicts = judge([pair for pair in drawn if pair[1].key not in reasons])
+    verdicts = judge([pair for pair in drawn if pair[1].id not in reasons])
     record_property("table", ["mutants: a fixed sample", report.rows(verdicts, reasons)])
     assert [report.line(verdict.mutant) for verdict in report.unexplained(verdicts, reasons)] == []
     assert sum(verdict.counts for verdict in verdicts) > (SAMPLE + SAMPLE_AROUND) / 2
@@ -36,7 +36,7 @@ def test_every_mutant_of_a_fixed_sample_is_found(record_property):
 def test_each_explanation_is_of_a_mutant_that_there_is():
     mutants = [mutant for _, mutant in run.of_all([])]
     assert without_a_mutant(explained(), mutants) == []
-    assert {key[0] for key in explained()} <= {mutant.file for mutant in mutants}
+    assert {file_of(one) for one in explained()} <= {mutant.file for mutant in mutants}
 
 
 def test_each_file_that_is_mutated_has_tests_of_its_own():

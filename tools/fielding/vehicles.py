@@ -182,4 +182,5 @@ class Submarine(Vehicle):
 
 
 VEHICLES: dict[str, type[Vehicle]] = {
-    "ardusub": Submarine, "arducopter": Copter, "ardurover": Rover, "arduplane": Plane, "quadplane": QuadPlane, "px4": Copter}  # fmt: skip
+    "arducopter": Copter, "ardurover": Rover, "arduplane": Plane, "quadplane": QuadPlane, "ardusub": Submarine,
+    "px4": Copter}  # fmt: skip

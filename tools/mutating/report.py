@@ -51,15 +51,15 @@ def score(killed: int, counted: int) -> str:
 
 
 def is_explained(verdict: Verdict, reasons: dict) -> bool:
-    return verdict.outcome == SURVIVED and verdict.mutant.key in reasons
+    return verdict.outcome == SURVIVED and verdict.mutant.id in reasons
 
 
 def unexplained(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
-    return [verdict for verdict in verdicts if verdict.outcome == SURVIVED and verdict.mutant.key not in reasons]
+    return [verdict for verdict in verdicts if verdict.outcome == SURVIVED and verdict.mutant.id not in reasons]
 
 
 def killed_but_explained(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
-    return [verdict for verdict in verdicts if verdict.outcome != SURVIVED and verdict.mutant.key in reasons]
+    return [verdict for verdict in verdicts if verdict.outcome != SURVIVED and verdict.mutant.id in reasons]
 
 
 def line(mutant: Mutant) -> str:

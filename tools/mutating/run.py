@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from . import report
-from .explained import explained, without_a_mutant
+from .explained import explained, file_of, without_a_mutant
 from .judging import Verdict, judge
 from .mutants import Mutant, mutants_of, sample
 from .subjects import SUBJECTS, Subject, files_of, subjects
@@ -36,8 +36,8 @@ def shown(wanted: str) -> str:
     (verdict,) = judge(found)
     said = f"{verdict.outcome}: {verdict.reason}" if verdict.reason else verdict.outcome
     lines = [verdict.mutant.diff(), "", said]
-    if verdict.mutant.key in (reasons := explained()):
-        lines.append(f"explained: {reasons[verdict.mutant.key]}")
+    if verdict.mutant.id in (reasons := explained()):
+        lines.append(f"explained: {reasons[verdict.mutant.id]}")
     return "\n".join(lines)
 
 
@@ -51,7 +51,7 @@ def whole(names: list[str], number: int | None, seed: int, jobs: int) -> int:
     if gone:
         print("\nis explained, and is no mutant any more:", *gone, sep="\n")
     files = {path.name for subject in SUBJECTS for path in files_of(subject.name)}
-    strangers = sorted({key[0] for key in reasons} - files)
+    strangers = sorted({file_of(one) for one in reasons} - files)
     if strangers:
         print("\nis explained, and is not mutated:", *strangers, sep="\n")
     out_of_date = gone or strangers or report.killed_but_explained(verdicts, reasons)
