@@ -36,6 +36,7 @@ TIMESYNC_PERIOD_S = 10.0
 RUNTIME_PERIOD_S = 30.0
 DISARM_AFTER_LANDING_S = 2.0
 LANDS_AFTER_M = 27.0  # a quadplane's last waypoint must be so far before its landing; by its cruising speed
+HOVERS_WITHIN_M, HOVERS_BELOW_M = 60.0, 15.0  # of home; by WP_LOITER_RAD 40 and Q_RTL_ALT
 PLANE_DISARMS_S = 20.0  # LAND_DISARMDELAY's default; by source
 ON_THE_GROUND_S = 0.02  # a copter in LAND that stands on the ground disarms after so long
 LANDED_AFTER_ARMING_S = 2.0  # a copter in LAND that never left the ground disarms no earlier
@@ -552,6 +553,8 @@ class ArduPilot(FakeAutopilot):
             return False
         if self.mode == "AUTO":
             self.running = False
+        if name == "RTL" and self.kind.hovers and self._is_near_home(now):
+            name = "QRTL"
         self.mode = name
         self.answer(self.heartbeat(), now, later_s=0.003)
         self.flight.stop(now)
@@ -560,11 +563,16 @@ class ArduPilot(FakeAutopilot):
             self._begin_plan(now)
         elif name == self.kind.land_mode and self.armed:
             self._land(now)
-        elif name == "RTL" and self.flight.airborne(now):
+        elif name in ("RTL", "QRTL") and self.flight.airborne(now):
             self.flight.fly_to(self.flight.home._replace(height=self.flight.where(now).height), now,
                                lands=self.kind.land_mode is not None)
             self._follow_flight()
         return True
+
+    def _is_near_home(self, now: float) -> bool:
+        """So near that a quadplane hovers there."""
+        here = self.flight.where(now)
+        return here.height < HOVERS_BELOW_M and here.distance(self.flight.home) < HOVERS_WITHIN_M
 
     def _why_not_mode(self, name: str, now: float) -> list[tuple[int, str]]:
         """What it says, in (severity, words), when this mode is not to be had; nothing if it is."""

@@ -114,7 +114,7 @@ class StandIn:
     def _fail(self) -> None:
         """The remote control has failed, or what else a failsafe is for: it returns."""
         autopilot = self.autopilot
-        if autopilot.armed and self.mode not in ("RTL", "LAND"):
+        if autopilot.armed and self.mode not in ("RTL", "QRTL", "LAND", "QLAND"):
             self.set_mode("RTL")
 
     @property

@@ -59,7 +59,8 @@ GOOD = {
     "ardurover": ("nothing is lost", "StartMission, undisturbed", "StartButton, a pilot lands",
                   "NextWaypoint, the board is reset", "example GoToPlaces"),
     "arduplane": ("example EnsureMission", "example WorkAtWaypoints", "StartMission, undisturbed"),
-    "quadplane": ("GoToPlaces, undisturbed", "GoToPlaces, a failsafe", "example NextWaypoint"),
+    "quadplane": ("GoToPlaces, undisturbed", "GoToPlaces, a failsafe", "StartMission, a station orders the return",
+                  "example NextWaypoint"),
     "ardusub": ("the autopilot is armed", "example GoToPlaces"),
 }  # fmt: skip
 

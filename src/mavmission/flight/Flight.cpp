@@ -182,19 +182,20 @@ bool Flight::isRover() const {
 FlightHands Flight::hands() const {
   const FlightHands steered = isSteered_ ? ways_->hands(*this) : FlightHands::Pilot;
   if (steered != FlightHands::Pilot) return steered;
+  // PX4 says CRITICAL while a failsafe flies, in whatever mode.
+  if (has(client_.autopilot().firmware(), kCriticalInFailsafe) &&
+      client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL) {
+    return FlightHands::Failsafe;
+  }
   const CommandPort& commands = client_.commands();
   const uint16_t shown = commands.shownMode();
-  const bool isReturn = shown == commands.numberOf(FlightMode::ReturnToLaunch);
-  // PX4 says CRITICAL while a failsafe flies, in whatever mode.
-  const bool isCritical = has(client_.autopilot().firmware(), kCriticalInFailsafe) &&
-                          client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL;
-  if (!isCritical && !isSteered_) {
-    if (shown == commands.numberOf(FlightMode::Auto)) return FlightHands::Own;
+  if (!isSteered_ && shown == commands.numberOf(FlightMode::Auto)) return FlightHands::Own;
+  if (shown == kOtherReturn || shown == commands.numberOf(FlightMode::ReturnToLaunch)) {
     // PX4 and ArduPilot's planes carry out a plan's return by changing their mode. MISSION_CURRENT may say so later.
-    if (isReturn && returns_) return isAtEnd_ ? FlightHands::Own : FlightHands::Unclear;
+    if (!isSteered_ && returns_) return isAtEnd_ ? FlightHands::Own : FlightHands::Unclear;
+    return FlightHands::Failsafe;
   }
-  const bool isFailsafe = isCritical || isReturn || shown == commands.numberOf(FlightMode::Land);
-  return isFailsafe ? FlightHands::Failsafe : FlightHands::Pilot;
+  return shown == commands.numberOf(FlightMode::Land) ? FlightHands::Failsafe : FlightHands::Pilot;
 }
 
 void Flight::look(bool hasEnded) {

@@ -33,9 +33,8 @@ inline bool isNearInLongitude(int32_t a, int32_t b, int32_t within) {
 // PX4's mode while it takes off, in the numbers of modeNumber(); it goes over to HOLD by itself.
 constexpr uint16_t kPx4TakeOff = 4 | 2 << 8;
 
-// QLAND and QRTL of ArduPilot's planes.
+// QLAND of ArduPilot's planes.
 constexpr uint16_t kQLand = 20;
-constexpr uint16_t kQRtl = 21;
 
 // So near to its height PX4 ends a takeoff: 0.8 m as it comes (NAV_MC_ALT_RAD), and what it climbs from one position to
 // the next [cm].

@@ -110,7 +110,7 @@ Status Steering::otherHands() const { return isOurs() ? Status::Transferring : w
 Status Steering::whoFlies() const {
   const uint16_t shown = shownMode();
   const bool isFailsafe = client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL ||
-                          shown == client_.commands().numberOf(FlightMode::ReturnToLaunch) ||
+                          shown == client_.commands().numberOf(FlightMode::ReturnToLaunch) || shown == kOtherReturn ||
                           shown == client_.commands().numberOf(FlightMode::Land);
   return isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt;
 }
@@ -124,7 +124,7 @@ bool Steering::isPlane() const {
 
 // A QuadPlane's return may go over to QRTL by itself (Q_RTL_MODE): it counts as the same mode.
 uint16_t Steering::counted(uint16_t mode) const {
-  return mode == kQRtl && isPlane() ? client_.commands().numberOf(FlightMode::ReturnToLaunch) : mode;
+  return mode == kOtherReturn && isPlane() ? client_.commands().numberOf(FlightMode::ReturnToLaunch) : mode;
 }
 
 uint16_t Steering::shownMode() const { return counted(client_.commands().shownMode()); }

@@ -171,6 +171,14 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
   CHECK_FALSE(quadPlane.steering.maySteer());
   CHECK((quadPlane.client.takenBy() == Status::FailsafeHasIt));
 
+  Aircraft copter(ClientOnLine::kArduPilot);
+  copter.fly(kGuided);
+  copter.steering.requestControl();
+  copter.pass(1000);
+  copter.show(kSmartRtl);
+  CHECK((copter.client.takenBy() == Status::FailsafeHasIt));
+  CHECK_FALSE(copter.steering.maySteer());
+
   Aircraft near(ClientOnLine::kArduPilot, 20);
   near.fly(kPlaneAuto);
   near.gives[176] = kUnheard;  // it goes over to QRTL at once
