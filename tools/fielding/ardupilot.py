@@ -40,7 +40,7 @@ PARAMETERS_OF: dict[str, dict[str, float]] = {
     "arducopter": {"FRAME_CLASS": 1, "FRAME_TYPE": 1, "MOT_THST_EXPO": 0, "MOT_THST_HOVER": Copter.HOVERS,
                    "AUTO_OPTIONS": 3, "ATC_RAT_YAW_P": 0.3},
     "ardurover": {"FRAME_CLASS": 1, "SERVO1_FUNCTION": 26, "SERVO3_FUNCTION": 70, "FS_ACTION": 1},  # as ours is driven
-    "arduplane": PLANE,
+    "arduplane": PLANE, "ardusub": {"FS_THR_ENABLE": 0},  # its throttle is a station's
     "quadplane": {**PLANE, "SCHED_LOOP_RATE": 400, "Q_ENABLE": 1, "Q_FRAME_CLASS": 1, "Q_FRAME_TYPE": 1,
                   "Q_M_THST_EXPO": 0, "Q_M_THST_HOVER": Copter.HOVERS, "Q_M_PWM_MIN": 1000, "Q_M_PWM_MAX": 2000,
                   "Q_ASSIST_SPEED": -1, "Q_GUIDED_MODE": 1, "Q_RTL_MODE": 1},
