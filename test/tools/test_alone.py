@@ -77,7 +77,7 @@ WRONG = [
     ("doxygen_comments {raw}", "it is no text in UTF-8"),
     ("field", "name a simulator: --ardupilot PATH, or --px4 PATH"),
     ("field --ardupilot {here}/none", "there is no "),
-    ("field --ardupilot {here}", "there is no arducopter or ardurover or arduplane in"),
+    ("field --ardupilot {here}", "there is no arducopter or ardurover or arduplane or ardusub in"),
     ("field --ardupilot {file}", "is not flown: its name is none of arducopter, ardurover, arduplane"),
     ("field --px4 {here}", "there is no px4 in"),
     ("field --ardupilot {here} --minutes 0", "0 is not a number above 0"),
