@@ -118,7 +118,7 @@ class Flight : private detail::Listener, private detail::FollowRules {
   detail::FlightHands hands() const;
   void look(bool hasEnded);
   bool isRover() const;
-  bool findEnd();
+  MAVMISSION_APART bool findEnd();
   static void beginPlan(Flight& flight, detail::FlightOrder order);
 
   // Begins the orders of a plan; null until fly() is called: only that refers to the code.

@@ -110,7 +110,7 @@ void FlightStages::lookAtGround(const FlightSight& sight) {
     if (sight.isArmed) return end(seenDisarmed_ ? EndedBy::Pilot : EndedBy::Refusal, Status::Armed);
     seenDisarmed_ = true;
     const bool isSame = sight.mode == restModes_[0] || sight.mode == restModes_[1] || sight.mayRest;
-    if (knowsRest_ && !isSame) return end(EndedBy::Pilot, Status::TakenOver);
+    if (knowsRest_ && !isSame) return endBy(sight, Status::TakenOver);
   }
   const uint32_t limitS = limitS_ != 0 ? limitS_ : kReadyS;
   if (state_ == FlightState::Landed || running_ != FlightOrder::None || nowMs_ - beganMs_ < limitS * 1000) return;

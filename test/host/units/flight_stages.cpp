@@ -174,6 +174,8 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       "fly beat >upload mode2! =accepted >start mode3! =failed notready mode2! beat notready mode1! beat ended/pilot",
       AIRBORNE "mode2! over! disarmed! beat landed mode3! beat ended/pilot mode2! beat9 >",
       AIRBORNE "mode2! over! disarmed! beat landed mode3! mayrest! beat9 landed",
+      AIRBORNE "over! disarmed! beat landed failsafe! mode3! beat ended/failsafe mode1! own! beat9 > ended/failsafe",
+      NOTREADY "failsafe! mode2! beat ended/failsafe own! beat9 >",
       AIRBORNE "over! disarmed! beat landed fly beat >upload mode3! beat ended/pilot =accepted > beat9 >",
       AIRBORNE "over! disarmed! beat landed armed! beat ended/pilot",
       // During start().
