@@ -553,7 +553,7 @@ class ArduPilot(FakeAutopilot):
             return False
         if self.mode == "AUTO":
             self.running = False
-        if name == "RTL" and self.kind.hovers and self._is_near_home(now):
+        if name == "RTL" and self.kind.hovers and self.flight.airborne(now) and self._is_near_home(now):
             name = "QRTL"
         self.mode = name
         self.answer(self.heartbeat(), now, later_s=0.003)

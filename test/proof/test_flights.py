@@ -181,7 +181,7 @@ DEFECTS = {
     ),
     "a place in the order's own mode may change the mode": (
         "SteeringSteps.cpp",
-        "  if (client_.commands().shownMode() != change_.wanted()) command.param2 =",
+        "  if (shownMode() != change_.wanted()) command.param2 =",
         "  command.param2 =",
         "Copter goTo each 3 --own 1",
         "an order ",
