@@ -18,6 +18,14 @@ enum class FlightMode : uint8_t {
   Manual,          // the pilot steers: STABILIZE on Copter, else MANUAL
 };
 
+namespace detail {
+
+// The other mode in which a vehicle returns by itself, which no sketch sets by name: QRTL of ArduPilot's planes,
+// SMART_RTL of its copters and rovers.
+constexpr FlightMode kOtherReturn = static_cast<FlightMode>(static_cast<uint8_t>(FlightMode::Manual) + 1);
+
+}  // namespace detail
+
 // This vehicle's number of a mode (docs/modes.md lists them all): DO_SET_MODE's parameter 2 in the lower byte,
 // parameter 3 in the upper one; kNoMode if the vehicle has no such mode, or if no ArduPilot vehicle has that type
 // (HEARTBEAT.type).

@@ -164,7 +164,6 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool is(detail::OrderTrait trait) const { return (row_.traits & trait) != 0; }
   detail::Vehicle vehicle() const { return detail::vehicleOf(client_.autopilot().vehicleType()); }
   bool isPlane() const;
-  uint16_t counted(uint16_t mode) const;
   MAVMISSION_APART uint16_t shownMode() const;
   bool isGround() const;
   bool isInAir() const;

@@ -20,8 +20,5 @@ constexpr bool isPlane(uint8_t type) {
   return type == kFixedWing || static_cast<uint8_t>(type - kFirstVtol) <= kLastVtol - kFirstVtol;
 }
 
-// A mode beside RTL in which an aircraft returns by itself: QRTL of ArduPilot's planes, SMART_RTL of its copters.
-constexpr uint16_t kOtherReturn = 21;
-
 }  // namespace detail
 }  // namespace mavmission

@@ -3,6 +3,7 @@
 
 #include "../MissionClient.h"
 #include "../autopilot/Guarded.h"
+#include "../autopilot/Vehicle.h"
 #include "../base/Clock.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
@@ -325,6 +326,15 @@ FlashText MissionClient::modeName() const { return mavmission::modeName(firmware
 
 uint16_t CommandPort::shownMode() const { return modeNumberOf(static_cast<const Client&>(*this).customMode()); }
 
+bool CommandPort::isReturn(uint16_t mode) const {
+  return mode == numberOf(FlightMode::ReturnToLaunch) || mode == numberOf(kOtherReturn);
+}
+
+uint16_t CommandPort::counted(uint16_t mode) const {
+  const bool isReturning = isPlane(static_cast<const Client&>(*this).vehicleType()) && isReturn(mode);
+  return isReturning ? numberOf(FlightMode::ReturnToLaunch) : mode;
+}
+
 uint16_t CommandPort::firstMode() const { return static_cast<const Client&>(*this).state_.next; }
 
 Status MissionClient::setMode(FlightMode mode) {
@@ -341,6 +351,11 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
   commanding_.mode.number = isCut ? kNoMode : modeNumberOf(customMode);
   commanding_.mode.isLarge = customMode > 255;
   return status;
+}
+
+// By its name a plane's QRTL is its return, by its number it is another mode.
+uint16_t Client::SettingMode::seen(const Client& client, uint16_t mode) {
+  return client.commanding_.on == onNamed ? client.counted(mode) : mode;
 }
 
 // ArduPilot's mode numbers have one byte. A larger number would be cut, and set another mode.
@@ -370,10 +385,11 @@ Status Client::SettingMode::on(Client& client, CommandEvent event, Status status
   CommandTransfer& sending = client.commanding_.transfer;
   const bool isRestoring = mode.order.isRestoring();
   switch (event) {
-    case CommandEvent::Ready: mode.order.begin(client.firstMode(), mode.number); return status;
+    case CommandEvent::Ready: mode.order.begin(seen(client, client.firstMode()), mode.number); return status;
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat:
-      switch (mode.order.onHeartbeat(client.shownMode(), sending.tries() != 0, sending.mayBeUnderWay(nowMs))) {
+      switch (mode.order.onHeartbeat(seen(client, client.shownMode()), sending.tries() != 0,
+                                     sending.mayBeUnderWay(nowMs))) {
         // It has taken the order, and left that mode by itself, as with a plan that has ended: again would be the same.
         case ModeOrder::Sight::Before:
           if (!isRestoring && sending.isDue() && sending.tries() != 0 &&

@@ -38,6 +38,7 @@ struct Client::SettingMode {
   static Status on(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onCustom(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onNamed(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static uint16_t seen(const Client& client, uint16_t mode);
 };
 
 // setCurrentItem().

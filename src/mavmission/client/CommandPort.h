@@ -63,6 +63,10 @@ class CommandPort {
 
   // The mode of the last heartbeat.
   MAVMISSION_APART uint16_t shownMode() const;
+  // True for this vehicle's RTL, and for its QRTL or SMART_RTL.
+  bool isReturn(uint16_t mode) const;
+  // This mode; RTL for a plane's QRTL, to which its return may go over by itself (Q_RTL_MODE).
+  uint16_t counted(uint16_t mode) const;
   // True if the aircraft was armed when the running command began, or since, and is armed no more: somebody has
   // disarmed it, and wants it so.
   MAVMISSION_APART bool hasBeenDisarmed() const;

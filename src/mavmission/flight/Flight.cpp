@@ -190,7 +190,7 @@ FlightHands Flight::hands() const {
   const CommandPort& commands = client_.commands();
   const uint16_t shown = commands.shownMode();
   if (!isSteered_ && shown == commands.numberOf(FlightMode::Auto)) return FlightHands::Own;
-  if (shown == kOtherReturn || shown == commands.numberOf(FlightMode::ReturnToLaunch)) {
+  if (commands.isReturn(shown)) {
     // PX4 and ArduPilot's planes carry out a plan's return by changing their mode. MISSION_CURRENT may say so later.
     if (!isSteered_ && returns_) return isAtEnd_ ? FlightHands::Own : FlightHands::Unclear;
     return FlightHands::Failsafe;

@@ -110,8 +110,7 @@ Status Steering::otherHands() const { return isOurs() ? Status::Transferring : w
 Status Steering::whoFlies() const {
   const uint16_t shown = shownMode();
   const bool isFailsafe = client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL ||
-                          shown == client_.commands().numberOf(FlightMode::ReturnToLaunch) || shown == kOtherReturn ||
-                          shown == client_.commands().numberOf(FlightMode::Land);
+                          client_.commands().isReturn(shown) || shown == client_.commands().numberOf(FlightMode::Land);
   return isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt;
 }
 
@@ -122,12 +121,7 @@ bool Steering::isPlane() const {
   return has(client_.autopilot().firmware(), kModesByVehicle) && detail::isPlane(client_.autopilot().vehicleType());
 }
 
-// A QuadPlane's return may go over to QRTL by itself (Q_RTL_MODE): it counts as the same mode.
-uint16_t Steering::counted(uint16_t mode) const {
-  return mode == kOtherReturn && isPlane() ? client_.commands().numberOf(FlightMode::ReturnToLaunch) : mode;
-}
-
-uint16_t Steering::shownMode() const { return counted(client_.commands().shownMode()); }
+uint16_t Steering::shownMode() const { return client_.commands().counted(client_.commands().shownMode()); }
 
 // True if the heartbeat tells whether it is in the air. ArduPilot's says ACTIVE in the air only, and CRITICAL in the
 // air and on the ground; PX4's says ACTIVE as soon as it is armed.

@@ -25,7 +25,7 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
     case CommandEvent::Ready: {
       const Status refusal = refuse();
       if (refusal != Status::Transferring || client_.commands().asksVehicle()) return refusal;
-      lead(counted(client_.commands().firstMode()), wantedMode());
+      lead(client_.commands().counted(client_.commands().firstMode()), wantedMode());
       if (is(kStopsHere) && isGround() && wantsPosition()) {
         lead(change_.wanted(), client_.commands().numberOf(FlightMode::Hold));
       }

@@ -11,8 +11,9 @@ namespace {
 
 constexpr uint16_t kCommandLong = 76, kSetMode = 176, kTransition = 3000, kRequestMessage = 512;
 constexpr uint8_t kAccepted = 0, kUnsupported = 3, kFailed = 4;
-constexpr uint8_t kPlaneType = 1, kCopterType = 2, kRocketType = 9;  // HEARTBEAT.type
-constexpr uint32_t kStabilize = 0, kLoiter = 5, kGuided = 4, kPlaneGuided = 15;
+constexpr uint8_t kPlaneType = 1, kCopterType = 2, kRocketType = 9, kQuadPlaneType = 20;  // HEARTBEAT.type
+constexpr uint32_t kStabilize = 0, kLoiter = 5, kGuided = 4;
+constexpr uint32_t kPlaneAuto = 10, kPlaneRtl = 11, kPlaneGuided = 15, kPlaneQRtl = 21;
 constexpr uint32_t kPx4Position = 3ul << 16, kPx4Hold = 4ul << 16 | 3ul << 24;
 
 template <typename Value>
@@ -168,6 +169,32 @@ TEST_CASE("behind that question the order is repeated as any other") {
   desk.answer(kTransition, kUnsupported);
   CHECK((desk.outcome(9000) == Status::NoAnswer));
   CHECK(desk.count(kSetMode) == 5);
+}
+
+TEST_CASE("a quadplane that returns near home shows QRTL: by its name that is its return, by its number another mode") {
+  const struct {
+    bool isNamed;
+    uint32_t shown;
+    Status end;
+  } kWays[] = {{true, kPlaneQRtl, Status::Done},
+               {true, kPlaneRtl, Status::Done},
+               {true, kPlaneAuto, Status::TakenOver},
+               {false, kPlaneRtl, Status::Done},
+               {false, kPlaneQRtl, Status::TakenOver}};
+  for (const auto& way : kWays) {
+    Ordering plane(ClientOnLine::kArduPilot, kQuadPlaneType, kPlaneGuided);
+    way.isNamed ? plane.client.setMode(FlightMode::ReturnToLaunch) : plane.client.setCustomMode(kPlaneRtl);
+    REQUIRE(plane.runUntilOrdered(kSetMode, 50));
+    plane.mode = way.shown;
+    plane.answer(kSetMode, kAccepted);
+    CHECK((plane.outcome(4000) == way.end));
+  }
+  Ordering near(ClientOnLine::kArduPilot, kQuadPlaneType, kPlaneQRtl);
+  near.client.setMode(FlightMode::Auto);  // away from it, it is the mode of before
+  REQUIRE(near.runUntilOrdered(kSetMode, 50));
+  near.mode = kPlaneAuto;
+  near.answer(kSetMode, kAccepted);
+  CHECK((near.outcome(1000) == Status::Done));
 }
 
 TEST_CASE("a mode that the vehicle does not have is not ordered") {

@@ -171,13 +171,25 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
   CHECK_FALSE(quadPlane.steering.maySteer());
   CHECK((quadPlane.client.takenBy() == Status::FailsafeHasIt));
 
-  Aircraft copter(ClientOnLine::kArduPilot);
-  copter.fly(kGuided);
-  copter.steering.requestControl();
-  copter.pass(1000);
-  copter.show(kSmartRtl);
-  CHECK((copter.client.takenBy() == Status::FailsafeHasIt));
-  CHECK_FALSE(copter.steering.maySteer());
+  const struct {
+    uint8_t type;
+    uint32_t guided, shown;
+    Status taker;
+  } kTaken[] = {
+      {2, kGuided, 21, Status::FailsafeHasIt},        // SMART_RTL of a copter
+      {10, kRoverGuided, 12, Status::FailsafeHasIt},  // SMART_RTL of a rover
+      {10, kRoverGuided, 21, Status::PilotHasIt},
+      {12, kGuided, 21, Status::PilotHasIt},  // SURFTRAK of a submarine, which a pilot sets
+  };
+  for (const auto& taken : kTaken) {
+    Aircraft aircraft(ClientOnLine::kArduPilot, taken.type);
+    aircraft.fly(taken.guided);
+    aircraft.steering.requestControl();
+    aircraft.pass(1000);
+    aircraft.show(taken.shown);
+    CHECK((aircraft.client.takenBy() == taken.taker));
+    CHECK_FALSE(aircraft.steering.maySteer());
+  }
 
   Aircraft near(ClientOnLine::kArduPilot, 20);
   near.fly(kPlaneAuto);
