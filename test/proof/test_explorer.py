@@ -318,7 +318,7 @@ def test_a_console_that_is_typed_at_at_random_does_what_complete_lines_say_and_s
 def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property, part):
     scenarios = of_part(part, by_file())
     states = expect_nothing_broken(record_property, "explored: plans as files, of 0 to 7 items", scenarios)
-    assert states > {"sample": 700_000, "rest": 400_000}[part]  # 1.4 million together, as docs/design/proof.md says
+    assert states > {"sample": 700_000, "rest": 400_000}[part]  # docs/design/proof.md has the sum
 
 
 # What is changed in which file, and the scenario that shows it, by the rule that is then broken.
