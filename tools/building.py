@@ -171,7 +171,7 @@ def compiler_stamp(backend: str) -> str:
     if backend == "arduino-cli":
         listed = subprocess.run(["arduino-cli", "core", "list"], capture_output=True, text=True, check=False)
         return listed.stdout
-    files = [Path(shutil.which("avr-gcc") or "avr-gcc"), HARDWARE[0] / "arduino/avr/platform.txt"]
+    files = [Path(shutil.which("avr-gcc") or "avr-gcc").resolve(), HARDWARE[0] / "arduino/avr/platform.txt"]
     return " ".join(f"{f}:{f.stat().st_mtime_ns}" for f in files if f.exists())
 
 

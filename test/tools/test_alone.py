@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import shlex
+import shutil
 import signal
 import subprocess
 import urllib.request
@@ -14,19 +15,22 @@ import pytest
 
 import alone
 from building import ROOT, build_sketch
+from examples import sketch_of
 from interrupts import can_be_interrupted
 
 FARM = ROOT / "docs" / "farm.plan"
 COMMANDS = sorted(file.name for file in (ROOT / "tools").iterdir() if file.is_file() and os.access(file, os.X_OK))
 
-# The groups of tools/setup, a command, and what it prints there, or the file that it makes. {here} is an empty folder.
+# The groups of tools/setup, a command, and what it prints there, or the file that it makes. {here} is an empty folder,
+# {own} a sketch that has to be compiled, which what the other tests have built of the examples need not.
 RUNS = [
-    ("build", "build UploadMission --output {here}", "RAM: "),
+    ("build", "build {own} --output {here}", "RAM: "),
     ("plan", "plan check {farm}", "nothing in it that PX4 is known to refuse"),
     ("plan", "plan show {farm}", "RALLY_POINT"),
     ("plan", "plan to-sketch {farm} {here}/Farm", "Farm"),
     ("pictures", "plan draw {farm} -o {here}/farm.svg", "{here}/farm.svg"),
     ("demo", "demo", "The plan is aboard: all 5 items as they were meant"),
+    ("demo", "demo --fast {own}", "The plan is aboard"),
     ("demo", "demo --fast --plan {farm} --save {here}/back.plan", "{here}/back.plan"),
     ("demo pictures", "demo --fast --timeline {here}/one.svg", "{here}/one.svg"),
     ("demo", "simulate {elf} --for 0.1 --no-input", "Serial1 is /dev/pts"),
@@ -134,9 +138,11 @@ def here(tmp_path) -> dict[str, object]:
     (tmp_path / "raw.h").write_bytes(b"\xff\x00")
     (tmp_path / "firmware.cpp").write_text("void setup() {}\nvoid loop() {}\n")
     (tmp_path / "here").mkdir()
+    shutil.copytree(sketch_of("UploadMission").parent, tmp_path / "Own")
+    (tmp_path / "Own" / "UploadMission.ino").rename(tmp_path / "Own" / "Own.ino")
     return {"here": tmp_path / "here", "file": tmp_path / "file.txt", "broken": tmp_path / "broken.plan",
             "raw": tmp_path / "raw.h", "farm": FARM, "src": ROOT / "src",
-            "elf": build_sketch("UploadMission").elf}  # fmt: skip
+            "own": tmp_path / "Own", "elf": build_sketch("UploadMission").elf}  # fmt: skip
 
 
 def run(words: str, here: dict[str, object], environment: dict[str, str]) -> subprocess.CompletedProcess:
