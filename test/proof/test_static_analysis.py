@@ -1,4 +1,4 @@
-"""cppcheck and clang-tidy find nothing in the library, nor the latter in the host tests' programs; and would."""
+"""cppcheck and clang-tidy find nothing in the library, and would. (The programs of the tests run under sanitizers.)"""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from simulation.together import groups
 from static_analysis import (
     CLANG_TIDY,
     CPPCHECK,
-    HOST_UNITS,
     LIBRARY_UNITS,
     SUPPRESSED,
     TIDY_CHECKS,
@@ -35,13 +34,6 @@ FAULTS = {
 def test_library_is_clean(tool):
     assert len(LIBRARY_UNITS) > 30
     assert "\n".join(findings(tool, LIBRARY_UNITS)) == ""
-
-
-@pytest.mark.slow
-def test_programs_of_the_host_tests_are_clean():
-    """By one of them: these programs run under sanitizers, too."""
-    assert len(HOST_UNITS) > 4
-    assert "\n".join(findings(CLANG_TIDY, HOST_UNITS)) == ""
 
 
 @TOOLS
@@ -74,7 +66,7 @@ def test_sources_with_the_same_names_are_looked_at_apart(tmp_path):
 
 def test_every_suppression_in_the_code_has_a_reason():
     """In the comment itself, or in the line above."""
-    ours = [file for file in [*LIBRARY_UNITS, *HOST_UNITS, *all_headers()] if VENDORED not in file.parents]
+    ours = [file for file in [*LIBRARY_UNITS, *all_headers()] if VENDORED not in file.parents]
     for file in ours:
         lines = file.read_text().splitlines()
         for number, line in enumerate(lines):

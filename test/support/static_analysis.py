@@ -31,8 +31,6 @@ VENDORED = LIBRARY / "mavmission" / "mavlink"
 WITH_ALL = ["-DMAVMISSION_SIGNING=1"]
 
 LIBRARY_UNITS = library_sources()
-HOST_UNITS = [*sorted(HOST.glob("*.cpp")), *sorted((HOST / "programs").glob("*.cpp")), SHIM / "Arduino.cpp",
-              *sorted((ROOT / "test" / "fuzz").glob("*.cpp"))]  # fmt: skip
 
 
 class Tool(NamedTuple):
