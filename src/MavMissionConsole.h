@@ -3,4 +3,4 @@
 #pragma once
 
 #include "MavMission.h"
-#include "mavmission/PlanConsole.h"
+#include "mavmission/console/PlanConsole.h"

@@ -22,7 +22,7 @@
 #include <SoftwareSerial.h>
 static SoftwareSerial mavMissionConsole(CONSOLE_RX, CONSOLE_TX);
 #else
-#include "mavmission/PinPrint.h"
+#include "mavmission/console/PinPrint.h"
 static mavmission::PinPrint mavMissionConsole(CONSOLE_TX);
 #endif
 #define CONSOLE mavMissionConsole

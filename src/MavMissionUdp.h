@@ -6,10 +6,10 @@
 #include <Udp.h>
 #include <stdint.h>
 
-#include "mavmission/PacketLink.h"
 #include "mavmission/base/Clock.h"
 #include "mavmission/base/RetryRules.h"
 #include "mavmission/link/AutopilotHeartbeat.h"
+#include "mavmission/link/PacketLink.h"
 
 // The longest frame that can be sent, 63 to 280 [bytes]. A sketch that is short of RAM, and sends neither plans as
 // files nor messages of its own, defines it as 63 before it includes this: what a client sends, signed or not.

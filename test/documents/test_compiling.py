@@ -6,6 +6,7 @@ import re
 import tomllib
 
 from building import ROOT
+from refreshing.keywords import public_headers
 
 PAGE = ROOT / "docs" / "compiling.md"
 MISTAKES = tomllib.loads((ROOT / "test" / "proof" / "mistakes.toml").read_text())
@@ -20,7 +21,7 @@ def test_each_quoted_message_is_demanded_by_a_test():
 
 
 def test_each_message_of_the_library_is_on_the_page():
-    headers = "\n".join(file.read_text() for file in (ROOT / "src" / "mavmission").glob("*.h"))
+    headers = "\n".join(file.read_text() for file in public_headers())
     impossible = r"(?:N == 0|sizeof\(Other\) == 0|!?literal::\w[^,]*)"
     templates = re.findall(rf'static_assert\(\s*{impossible},\s*((?:"[^"]*"\s*)+)\)', headers)
     said = ["".join(re.findall(r'"([^"]*)"', text)) for text in templates]

@@ -114,7 +114,7 @@ def enumerators(file: str, name: str) -> set[str]:
 
 
 def statuses() -> set[str]:
-    return set(re.findall(r"\bX\((\w+),", (SOURCES / "Status.h").read_text()))
+    return set(re.findall(r"\bX\((\w+),", library_file("Status.h").read_text()))
 
 
 def diagrams() -> str:
@@ -143,7 +143,7 @@ def test_every_state_is_in_a_diagram(machine):
 
 def test_every_name_in_a_diagram_is_one_of_the_code():
     known = statuses().union(*(enumerators(*place) for place in STATES.values())) | {"PlanType", *FTP}
-    known |= set(re.findall(r"\bX\((\w+),", (SOURCES / "FlightState.h").read_text()))
+    known |= set(re.findall(r"\bX\((\w+),", library_file("FlightState.h").read_text()))
     assert "Accepted" in known
     named_there = set(re.findall(r"\b(?:[A-Z][a-z]+){2,}\b", diagrams()))
     assert len(named_there) > 10

@@ -50,6 +50,6 @@ def test_files_and_names_in_the_forms_are_there():
     documents = re.findall(r"[\w/]+\.md", said)
     assert {"docs/troubleshooting.md", "SECURITY.md"} <= set(documents)
     assert [name for name in documents if not (ROOT / name).exists()] == []
-    client = (ROOT / "src" / "mavmission" / "MissionClient.h").read_text()
+    client = (ROOT / "src" / "mavmission" / "client" / "MissionClient.h").read_text()
     assert [name for name in re.findall(r"(\w+)\(\)", said) if f"{name}(" not in client + "toString("] == []
     assert "MAVMISSION_VERSION" in (ROOT / "src" / "MavMission.h").read_text()

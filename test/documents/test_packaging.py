@@ -14,6 +14,7 @@ from example_runs import firmware_of
 from examples import example_folders, sketch_of
 from measuring import record
 from promised import TOO_LARGE
+from refreshing.keywords import public_headers
 from simulation.firmware import ARDUINO, LIBRARY, FirmwareNotBuilt, compiled
 
 UNTRACKED = {"build", ".git", ".pio", "__pycache__", ".hypothesis", ".pytest_cache"}
@@ -157,10 +158,9 @@ def keywords() -> list[tuple[str, str]]:
     return [tuple(line.split("\t")) for line in lines if line and not line.startswith("#")]
 
 
-def public_headers() -> str:
-    """The text of the library's own headers, without comments."""
-    headers = [*(ROOT / "src").glob("*.h"), *(ROOT / "src" / "mavmission").glob("*.h")]
-    text = "\n".join(h.read_text() for h in headers)
+def text_of_public_headers() -> str:
+    """Without comments."""
+    text = "\n".join(header.read_text() for header in public_headers())
     return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
 
 
@@ -178,7 +178,7 @@ def names(kind: str) -> set[str]:
 
 
 def test_every_status_is_a_keyword():
-    listed = re.search(r"#define MAVMISSION_STATUSES\(X\)((?:.*\\\n)*.*)", public_headers())
+    listed = re.search(r"#define MAVMISSION_STATUSES\(X\)((?:.*\\\n)*.*)", text_of_public_headers())
     statuses = set(re.findall(r"\bX\((\w+),", listed[1]))
     assert "Accepted" in statuses
     assert statuses - names("LITERAL1") == set()
@@ -186,13 +186,13 @@ def test_every_status_is_a_keyword():
 
 def test_every_maker_of_an_item_or_a_plan_is_a_keyword():
     maker = r"^(?:constexpr|inline|template.*\n)?\s*(?:MissionItem|ItemSource) (\w+)\("
-    makers = set(re.findall(maker, public_headers(), re.M))
+    makers = set(re.findall(maker, text_of_public_headers(), re.M))
     assert {"waypoint", "inFlash"} <= makers
     assert makers - names("KEYWORD2") == set()
 
 
 def test_every_public_function_of_the_client_is_a_keyword():
-    public = re.search(r"^class MissionClient\b.*?public:(.*?)^ private:", public_headers(), re.M | re.S)[1]
+    public = re.search(r"^class MissionClient\b.*?public:(.*?)^ private:", text_of_public_headers(), re.M | re.S)[1]
     functions = set(re.findall(r"^  (?:\w+ )*[\w:]+[&*]? (\w+)\(", public, re.M)) - {"MissionClient"}
     assert {"upload", "update", "cancel"} <= functions
     assert functions - names("KEYWORD2") == set()
@@ -347,7 +347,7 @@ def test_led_is_the_one_that_the_core_has_on_pin_13(mcu, variant):
 
 
 def test_led_shows_as_good_what_ended_well():
-    statuses = (ROOT / "src" / "mavmission" / "Status.h").read_text()
+    statuses = (ROOT / "src" / "mavmission" / "base" / "Status.h").read_text()
     well = statuses.partition("/* ended well */")[2].partition("/* ended with an unknown outcome */")[0]
     names = re.findall(r"\bX\((\w+),", well)
     header = (ROOT / "src" / "MavMissionLed.h").read_text()

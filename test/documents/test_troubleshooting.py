@@ -8,10 +8,9 @@ import pytest
 
 from simulation.bench import status_names
 from simulation.doctor import verdict_names
-from simulation.firmware import ROOT
+from simulation.firmware import ROOT, library_file
 
 PAGE = ROOT / "docs" / "troubleshooting.md"
-HEADERS = ROOT / "src" / "mavmission"
 
 
 def named() -> set[str]:
@@ -21,7 +20,7 @@ def named() -> set[str]:
 
 def listed(header: str, macro: str) -> set[str]:
     """The names of one of the library's enumerations, from the list that makes it."""
-    text = (HEADERS / header).read_text()
+    text = library_file(header).read_text()
     names = re.findall(r"X\((\w+),", re.search(rf"#define MAVMISSION_{macro}\(X\)((?:.*\\\n)*.*)", text)[1])
     assert len(names) > 5
     return set(names)
@@ -34,7 +33,7 @@ def test_every_verdict_is_explained(verdict):
 
 
 def test_every_status_is_explained_beside_what_is_printed_for_it():
-    statuses = re.search(r"#define MAVMISSION_STATUSES\(X\)((?:.*\\\n)*.*)", (HEADERS / "Status.h").read_text())[1]
+    statuses = re.search(r"#define MAVMISSION_STATUSES\(X\)((?:.*\\\n)*.*)", library_file("Status.h").read_text())[1]
     printed = dict(re.findall(r'X\((\w+), "(.*?)"\)', statuses))
     assert tuple(printed) == status_names()
     unnamed = {f"InvalidParam{number}" for number in range(2, 7)}  # "InvalidParam1 to InvalidParam7"

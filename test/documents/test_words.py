@@ -7,6 +7,7 @@ import re
 import pytest
 
 from building import ROOT
+from refreshing.keywords import public_headers
 
 # The phrase, and what is written instead.
 INSTEAD = {
@@ -29,8 +30,7 @@ INSTEAD = {
 }
 READ = [
     *sorted(ROOT.glob("[!C]*.md")), ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md")),
-    *sorted((ROOT / "src").glob("*.h")), *sorted((ROOT / "src" / "mavmission").glob("*.h")),
-    *sorted((ROOT / "src" / "mavmission" / "console").glob("*.cpp")),
+    *public_headers(), *sorted((ROOT / "src" / "mavmission" / "console").glob("*.cpp")),
     *sorted((ROOT / "examples").rglob("*.ino")),
     *sorted((ROOT / "tools" / "planning").glob("*.py")), ROOT / "simulation" / "forms_of_ends.py",
     *(ROOT / "tools" / name for name in ("build", "demo", "measure", "plan", "release", "simulate", "test")),

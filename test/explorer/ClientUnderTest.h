@@ -11,8 +11,8 @@
 
 #include "Message.h"
 #include "Referee.h"
-#include "mavmission/MissionClient.h"
-#include "mavmission/PlanFiles.h"
+#include "mavmission/client/MissionClient.h"
+#include "mavmission/files/PlanFiles.h"
 
 // What a client has sent and how it ended in a step.
 struct Doing {

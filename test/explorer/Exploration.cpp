@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mavmission/Status.h"
+#include "mavmission/base/Status.h"
 
 using mavmission::Status;
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "Plans.h"
-#include "mavmission/service/FileFrame.h"
+#include "mavmission/files/FileFrame.h"
 
 namespace {
 

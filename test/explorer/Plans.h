@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "Message.h"
-#include "mavmission/MissionItem.h"
+#include "mavmission/item/MissionItem.h"
 
 // Items of plan `plan` (0: aboard from before; 1 to 3: uploaded) are 16 * plan + 1, + 2, ... Home is ArduPilot's item
 // 0.

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "Autopilot.h"
-#include "mavmission/Status.h"
+#include "mavmission/base/Status.h"
 
 enum class Operation : uint8_t {
   Upload,

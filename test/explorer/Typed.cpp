@@ -8,8 +8,8 @@
 
 #include "ClientOnLine.h"
 #include "Plans.h"
-#include "mavmission/PlanConsole.h"
 #include "mavmission/base/MavlinkHeaders.h"
+#include "mavmission/console/PlanConsole.h"
 
 using mavmission::Aboard;
 using mavmission::Eeprom;

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "mavmission/Status.h"
+#include "mavmission/base/Status.h"
 
 namespace {
 

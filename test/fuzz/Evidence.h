@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 #include "Frames.h"
-#include "mavmission/MissionItem.h"
 #include "mavmission/autopilot/Commands.h"
+#include "mavmission/item/MissionItem.h"
 
 constexpr uint8_t kAutopilot = 1;  // its system and component, and the system of the client
 constexpr uint8_t kClient = 191;   // the client's component

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "mavmission/MissionItem.h"
-#include "mavmission/PlanType.h"
 #include "mavmission/autopilot/Commands.h"
+#include "mavmission/item/MissionItem.h"
+#include "mavmission/item/PlanType.h"
 #include "mavmission/plan/Comparison.h"
 
 struct RecordedItem {

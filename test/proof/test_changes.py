@@ -25,7 +25,7 @@ def replaced(file: Path, right: str, instead: str) -> None:
 def test_new_result_code_is_a_line_and_a_number_in_one_file(tmp_path):
     library = tmp_path / "src"
     shutil.copytree(LIBRARY, library)
-    status = library / "mavmission" / "Status.h"
+    status = library / "mavmission" / "base" / "Status.h"
     last = '  X(CancelledByAutopilot, "the autopilot cancelled or timed out") \\\n'
     replaced(status, last, f'{last}  X(NotInFlight, "autopilot: not in flight") \\\n')
     replaced(status, "result <= 15 ?", "result <= 16 ?")
@@ -43,7 +43,7 @@ def test_new_result_code_is_a_line_and_a_number_in_one_file(tmp_path):
 
 
 LISTENER = {
-    "AltitudeListener.h": """
+    "telemetry/AltitudeListener.h": """
 #pragma once
 
 #include "TelemetryListener.h"
@@ -62,8 +62,8 @@ class AltitudeListener : public TelemetryListener {
 
 }  // namespace mavmission
 """,
-    "service/AltitudeListener.cpp": """
-#include "../AltitudeListener.h"
+    "telemetry/AltitudeListener.cpp": """
+#include "AltitudeListener.h"
 
 #include "../base/FloatBits.h"
 #include "TelemetryKeys.h"
@@ -123,13 +123,13 @@ def test_new_listener_is_two_files_and_a_line(tmp_path):
     shutil.copytree(LIBRARY, library)
     for name, text in LISTENER.items():
         (library / "mavmission" / name).write_text(text)
-    before = '#include "mavmission/AttitudeListener.h"\n'
-    replaced(library / "MavMission.h", before, '#include "mavmission/AltitudeListener.h"\n' + before)
+    before = '#include "mavmission/telemetry/AttitudeListener.h"\n'
+    replaced(library / "MavMission.h", before, '#include "mavmission/telemetry/AltitudeListener.h"\n' + before)
     program = tmp_path / "program"
     (tmp_path / "listening.cpp").write_text(LISTENING)
     # (No source of the library includes MavMission.h.)
     others = build_objects([HOST / "Frames.cpp", SHIM / "Arduino.cpp", *library_sources()], "g++", FAST)
-    sources = [tmp_path / "listening.cpp", library / "mavmission" / "service" / "AltitudeListener.cpp"]
+    sources = [tmp_path / "listening.cpp", library / "mavmission" / "telemetry" / "AltitudeListener.cpp"]
     command = ["g++", *WORDS, f"-I{library}", f"-I{SHIM}", f"-I{HOST}"]
     subprocess.run([*command, *sources, *others, "-o", program], check=True)
     assert subprocess.run([program], capture_output=True, text=True, check=True).stdout.split() == ["0", "1", "1234"]

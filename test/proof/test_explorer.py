@@ -569,14 +569,14 @@ DEFECTS = {
         "a file of ours is left open",
     ),
     "a file that was left open before a reset is not looked for": (
-        "service/PlanFiles.cpp",
+        "files/PlanFiles.cpp",
         "closings_(FileRules::kUnsureClosings),",
         "closings_(0),",
         "ArduPilot file-upload 2 clear 0 --losses 0 --resets 1",
         "a file of ours is left open",
     ),
     "a complete file that was left open before a reset is closed as it is": (
-        "service/PlanFiles.cpp",
+        "files/PlanFiles.cpp",
         "isStorable_(true),",
         "isStorable_(false),",
         "ArduPilot file-upload 2 clear 0 --losses 0 --resets 1",

@@ -358,21 +358,21 @@ DEFECTS = {
         'start ends with "done: the autopilot confirmed it", and the last heartbeat has shown',
     ),
     "a standstill counts as a takeover": (
-        "service/Steering.cpp",
+        "steering/Steering.cpp",
         "const bool hasControl = isOurs();",
         "const bool hasControl = maySteer();",
         "Copter all standstills 30",
         "behind ",
     ),
     "who takes it in a gap is forgotten": (
-        "service/Steering.cpp",
+        "steering/Steering.cpp",
         "now)) seenDisarmed_ = hadControl_ = false;",
         "now)) seenDisarmed_ = false;\n  hadControl_ = false;",
         "Copter all standstills 400",
         "message 76 (400) leaves though somebody has taken the aircraft",
     ),
     "a takeover that is seen behind an operation is forgotten": (
-        "service/Steering.cpp",
+        "steering/Steering.cpp",
         "    client_.noteTaken(whoFlies());\n",
         "",
         "Copter goTo each 5",
@@ -436,7 +436,7 @@ DEFECTS = {
         "",
     ),
     "the next autopilot was seen disarmed, too": (
-        "service/Steering.cpp",
+        "steering/Steering.cpp",
         "now)) seenDisarmed_ = hadControl_ = false;",
         "now)) hadControl_ = false;",
         "Copter all plays 60",

@@ -13,7 +13,8 @@ import pytest
 
 from building import ROOT
 from declared import library_headers, unnamed
-from simulation.firmware import LIBRARY, library_sources
+from refreshing.keywords import public_headers
+from simulation.firmware import library_sources
 
 WIDTH = 120
 FOLDERS = ("src", "examples", "tools", "simulation", "test")
@@ -138,17 +139,12 @@ def unnamed_in_the_library() -> dict[str, Path]:
     return unnamed(library_headers(), library_sources())
 
 
-def is_public(header: Path) -> bool:
-    """What is in the folder itself is for sketches; what is below it is the library's own."""
-    return header.parent in (LIBRARY, LIBRARY / "mavmission")
-
-
 @pytest.mark.slow
 def test_what_a_header_declares_is_named_by_the_library_or_is_for_sketches():
-    words = for_sketches()
+    words, public = for_sketches(), {*public_headers()}
     assert {
         name for name, header in unnamed_in_the_library().items()
-        if name not in FOR_OTHERS and not (is_public(header) and name.rpartition("::")[2] in words)
+        if name not in FOR_OTHERS and not (header in public and name.rpartition("::")[2] in words)
     } == set()  # fmt: skip
 
 

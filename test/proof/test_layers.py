@@ -1,4 +1,4 @@
-"""The library's folders lie on each other as DESIGN.md lists them: each uses those above it, and public headers."""
+"""The library's folders lie on each other as DESIGN.md lists them: each uses those above it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
+from refreshing.keywords import names_in, public_headers
 from simulation.firmware import LIBRARY, ROOT
 from simulation.host_build import PLACES
 
@@ -35,25 +36,35 @@ def misplaced(pairs: list[tuple[Path, Path]], order: list[str]) -> list[str]:
     return [
         f"{path} uses {target}"
         for path, target in pairs
-        if len(path.parts) > 1 and len(target.parts) > 1 and target.parts[0] != "mavlink"
-        if order.index(path.parts[0]) < order.index(target.parts[0])
+        if target.parts[0] != "mavlink" and order.index(path.parts[0]) < order.index(target.parts[0])
     ]
 
 
-def test_list_names_every_folder():
-    assert sorted(folders()) == sorted(path.name for path in INSIDE.iterdir() if path.is_dir())
+def test_list_names_every_folder_and_each_file_is_in_one():
+    assert sorted(folders()) == sorted(path.name for path in INSIDE.iterdir())
 
 
 def test_no_folder_uses_one_below_it():
     assert misplaced(uses(), folders()) == []
+    upwards = (Path("base/Clock.h"), Path("link/Link.h"))
+    assert misplaced([upwards, upwards[::-1]], folders()) == ["base/Clock.h uses link/Link.h"]
 
 
 def test_vendored_headers_are_included_in_one_place():
     """Whatever else names MAVLink's types includes that, and no public header does."""
     vendored = {str(path) for path, target in uses() if target.parts[0] == "mavlink"}
     assert vendored == {"base/MavlinkHeaders.h"}
-    named = {str(path) for path, target in uses() if str(target) == "base/MavlinkHeaders.h"}
-    assert not [path for path in named if "/" not in path]
+    named = {INSIDE / path for path, target in uses() if str(target) == "base/MavlinkHeaders.h"}
+    assert named and not named & {*public_headers()}
+
+
+def test_what_no_sketch_may_name_is_in_namespace_detail():
+    """A sketch's are the headers that MavMission.h and those beside it include; of others it gets macros alone."""
+    headers = {path for path in INSIDE.rglob("*.h") if path.relative_to(INSIDE).parts[0] != "mavlink"}
+    sketches = {name for path in headers & {*public_headers()} for name in names_in(path.read_text())}
+    inner = {name for path in headers - {*public_headers()} for name in names_in(path.read_text())}
+    assert {"MissionClient", "waypoint", "Accepted"} <= sketches and "FrameParser" not in sketches
+    assert {name for name in inner - sketches if not name.isupper()} == set()
 
 
 def test_home_is_known_in_one_place():
@@ -72,16 +83,25 @@ def seen_of_the_client(sources: list[Path]) -> dict[str, set[str]]:
     }  # fmt: skip
 
 
+SERVICES = ("service", "files", "telemetry", "payload", "steering")
+PORTS = {"Port.h", "CommandPort.h", "PlanPort.h", "Operation.h"}
+# What calls a MissionClient and a Steering, as a sketch does.
+AS_A_SKETCH = {"Flight", "FlightWords", "SteeredFlight"}
+
+
 def test_services_see_the_ports_of_the_client_alone():
-    sources = sorted((INSIDE / "service").glob("*.cpp"))
+    sources = [source for folder in SERVICES for source in sorted((INSIDE / folder).glob("*.cpp"))]
     seen = seen_of_the_client(sources)
-    assert sorted(seen) == [source.stem for source in sources]
-    assert set().union(*seen.values()) == {"Port.h", "CommandPort.h", "PlanPort.h", "Operation.h"}
+    assert sorted(seen) == sorted(source.stem for source in sources)
+    assert {name for name, headers in seen.items() if "MissionClient.h" in headers} == AS_A_SKETCH
+    assert set().union(*(headers for name, headers in seen.items() if name not in AS_A_SKETCH)) == PORTS
+    own = {target.name for path, target in uses() if path.parts[0] in SERVICES and target.parts[0] == "client"}
+    assert own == {"MissionClient.h", *PORTS}
     assert "Client.h" in seen_of_the_client([INSIDE / "client" / "Clear.cpp"])["Clear"]
 
 
 # What makes a command beside the operations, each with one literal number.
-ASKING = {"service/LinkDoctor.cpp", "service/MessageIntervals.cpp", "service/MovingTarget.cpp"}
+ASKING = {"service/LinkDoctor.cpp", "service/MessageIntervals.cpp", "steering/MovingTarget.cpp"}
 GATE = "client/Command.cpp"
 COMMANDING = re.compile(r"mavlink_command_(long|int)_t \w+ = mavlink_|KeyIndex::COMMAND_(LONG|INT)|mavlink_set_mode_t")
 

@@ -33,7 +33,7 @@ def test_each_source_of_the_library_concerns_some_tests_and_not_many():
     "name, expected",
     [
         ("src/mavmission/transfer/ClearTransfer.cpp", "test_every_case_of_a_unit_passes[plain-clear_transfer]"),
-        ("src/mavmission/service/SteeringControl.cpp", "test_every_case_of_a_unit_passes[plain-steering]"),
+        ("src/mavmission/steering/SteeringControl.cpp", "test_every_case_of_a_unit_passes[plain-steering]"),
         ("src/mavmission/transfer/ClearTransfer.h", "test/operations/test_plans.py"),
         ("test/upload/test_flow.py", "test/upload/test_flow.py"),
         ("test/support/wrong_plans.py", "test/upload/test_plan_checks.py"),

@@ -204,7 +204,7 @@ DUMP = """
 #include <MavMission.h>
 #include <stdio.h>
 #include "{header}"
-#include "mavmission/ItemSource.h"
+#include "mavmission/plan/ItemSource.h"
 template <size_t N>
 void dump(const mavmission::MissionItem (&plan)[N]) {{
   for (const mavmission::MissionItem& item : plan) {{
@@ -376,7 +376,7 @@ def test_item_is_written_as_a_person_would_where_that_is_exact(item, source):
 
 
 def test_named_commands_are_those_of_the_library():
-    header = (Path(__file__).resolve().parents[2] / "src/mavmission/MissionItem.h").read_text()
+    header = (Path(__file__).resolve().parents[2] / "src/mavmission/item/MissionItem.h").read_text()
     for number, name in NAMED.items():
         assert f"  {name} = {number},\n" in header
     assert header.count(" = ", 0, header.index("// A step of a plan")) == len(NAMED)

@@ -19,7 +19,7 @@ from elftools.elf.sections import SymbolTableSection
 from simulation.fake_autopilot import Item, mavlink
 from simulation.mega.image import EEPROM, RAM, demangle
 
-# src/mavmission/MissionItem.h, packed as avr-gcc packs everything:
+# src/mavmission/item/MissionItem.h, packed as avr-gcc packs everything:
 # param1 to param4, x, y, z, command, frame, current, autocontinue.
 LAYOUT = struct.Struct("<4f2if H3B")
 FRAMES = (0, 2, 3, 5, 6, 10, 11)

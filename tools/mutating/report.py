@@ -6,7 +6,6 @@ from collections import Counter
 
 from .judging import SURVIVED, Verdict
 from .mutants import Mutant
-from .subjects import files_of
 
 KILLERS = ("unit tests", "client tests", "sanitizers", "flights", "explorer")
 HEAD = ["file", "mutants", *KILLERS, "survived", "explained", "score"]
@@ -23,8 +22,7 @@ def rows(verdicts: list[Verdict], reasons: dict) -> list[list[str]]:
 
 
 def folder_of(mutant: Mutant) -> str:
-    """Of a public header, that of the source beside which it belongs."""
-    return files_of(mutant.path.stem)[0].parent.name
+    return mutant.path.parent.name
 
 
 def aligned(table: list[list[str]]) -> list[str]:

@@ -105,7 +105,7 @@ AROUND = (
     ),
     Subject("VerifyAndStart", ("client_verify_and_start",), is_flown=True),
     Subject("WorthRetry", ("status",)),
-    # service
+    # service, files, telemetry, payload, steering
     Subject("Adjustments", ("adjustments",)),
     Subject("AttitudeListener", ("listener_values", "telemetry_listeners")),
     Subject("BatteryListener", ("listener_values", "telemetry_listeners")),

@@ -20,11 +20,11 @@
 #include <string>
 #include <vector>
 
-#include "mavmission/ItemSource.h"
-#include "mavmission/Status.h"
 #include "mavmission/autopilot/Rules.h"
+#include "mavmission/base/Status.h"
 #include "mavmission/plan/Areas.h"
 #include "mavmission/plan/Comparison.h"
+#include "mavmission/plan/ItemSource.h"
 #include "mavmission/plan/WirePlan.h"
 #include "read_text.h"
 

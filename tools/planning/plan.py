@@ -10,7 +10,7 @@ from typing import NamedTuple
 GLOBAL, NO_PLACE, RELATIVE, TERRAIN = 0, 2, 3, 10
 # What to write in the place of a frame that is none of an altitude.
 FRAMES = "write frame 3 for above home, 0 for above sea level, 10 for above the ground"
-# The older numbers of frames in MISSION_ITEM_INT, and those that replace them (src/mavmission/Units.h, modern()).
+# The older numbers of frames in MISSION_ITEM_INT, and those that replace them (src/mavmission/item/Units.h, modern()).
 MODERN = {5: GLOBAL, 6: RELATIVE, 11: TERRAIN}
 
 WAYPOINT, LAND, TAKEOFF, JUMP = 16, 21, 22, 177

@@ -1,5 +1,5 @@
-"""The tables of docs/items.md are made of src/mavmission/MissionItem.h, of the rules in Commands.cpp and of what each
-vehicle took when it was recorded."""
+"""The tables of docs/items.md are made of src/mavmission/item/MissionItem.h, of the rules in Commands.cpp and of
+what each vehicle took when it was recorded."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import re
 from .readback import ROOT, ROW, SOURCE
 
 DOCUMENT = ROOT / "docs" / "items.md"
-HEADER = ROOT / "src" / "mavmission" / "MissionItem.h"
+HEADER = ROOT / "src" / "mavmission" / "item" / "MissionItem.h"
 RECORDINGS = ROOT / "simulation" / "recordings"
 VEHICLES = {"copter": "arducopter", "plane": "arduplane", "rover": "ardurover", "PX4": "px4"}
 

@@ -33,7 +33,11 @@ class Scope(NamedTuple):
 
 
 def public_headers(root: Path = ROOT) -> list[Path]:
-    return sorted([*(root / "src").glob("*.h"), *(root / "src" / "mavmission").glob("*.h")])
+    """MavMission.h, the headers beside it, and those that these include themselves and that offer a sketch a name."""
+    beside = sorted((root / "src").glob("*.h"))
+    text = "".join(header.read_text() for header in beside)
+    included = sorted(set(re.findall(r'^#include "(mavmission/.*)"', text, re.M)))
+    return [*beside, *(root / "src" / name for name in included if names_in((root / "src" / name).read_text()))]
 
 
 def names_in(text: str) -> dict[str, str]:

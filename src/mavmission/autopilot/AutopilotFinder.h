@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
 #include "../base/Clock.h"
+#include "../base/Config.h"
 #include "../base/RetryRules.h"
 #include "Personality.h"
 

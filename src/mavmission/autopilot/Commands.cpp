@@ -2,7 +2,7 @@
 
 #include "../base/Flash.h"
 #include "Rules.h"
-#include "Vehicle.h"
+#include "VehicleKind.h"
 
 namespace mavmission {
 namespace detail {

@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../PlanType.h"
+#include "../base/Config.h"
+#include "../item/PlanType.h"
 #include "Personality.h"
 
 namespace mavmission {

@@ -1,4 +1,4 @@
-#include "../Firmware.h"
+#include "Firmware.h"
 
 #include "../base/FlashTable.h"
 

@@ -1,4 +1,4 @@
-#include "../FlightCommand.h"
+#include "FlightCommand.h"
 
 #include "../base/Flash.h"
 #include "../base/MavlinkHeaders.h"

@@ -1,8 +1,8 @@
-#include "../FlightMode.h"
+#include "FlightMode.h"
 
 #include "../base/Flash.h"
 #include "Personality.h"
-#include "Vehicle.h"
+#include "VehicleKind.h"
 
 namespace mavmission {
 using namespace detail;

@@ -1,7 +1,7 @@
-#include "../FlightMode.h"
 #include "../base/FlashTable.h"
+#include "FlightMode.h"
 #include "Personality.h"
-#include "Vehicle.h"
+#include "VehicleKind.h"
 
 namespace mavmission {
 using namespace detail;

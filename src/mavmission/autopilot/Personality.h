@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../Firmware.h"
+#include "../base/Config.h"
+#include "Firmware.h"
 
 namespace mavmission {
 namespace detail {

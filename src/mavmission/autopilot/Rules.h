@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "../MissionItem.h"
+#include "../item/MissionItem.h"
 #include "Commands.h"
 
 namespace mavmission {

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../FlashText.h"
+#include "FlashText.h"
 
 #ifndef PROGMEM
 #define PROGMEM

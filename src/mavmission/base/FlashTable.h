@@ -1,7 +1,7 @@
 // Texts in flash, one for each value of an enumeration.
 #pragma once
 
-#include "../Config.h"
+#include "Config.h"
 #include "Flash.h"
 
 namespace mavmission {

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "../Config.h"
+#include "Config.h"
 #include "Flash.h"
 
 namespace mavmission {

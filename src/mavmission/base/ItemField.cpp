@@ -1,4 +1,4 @@
-#include "../ItemField.h"
+#include "ItemField.h"
 #include "FlashTable.h"
 
 namespace mavmission {

@@ -1,4 +1,4 @@
-#include "../Status.h"
+#include "Status.h"
 #include "FlashTable.h"
 
 namespace mavmission {

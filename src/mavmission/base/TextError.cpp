@@ -1,4 +1,4 @@
-#include "../TextError.h"
+#include "TextError.h"
 #include "FlashTable.h"
 
 namespace mavmission {

@@ -4,10 +4,10 @@
 // what does not say that it is a plane is asked, once, by a command that only planes know: DO_VTOL_TRANSITION to the
 // state "undefined", which changes nothing. A plane answers FAILED, whether it can hover or not, and any other vehicle
 // UNSUPPORTED (ArduPilot 4.6.3). Its name would come as a text, which may be lost; AUTOPILOT_VERSION does not have it.
-#include "../MissionClient.h"
-#include "../autopilot/Vehicle.h"
+#include "../autopilot/VehicleKind.h"
 #include "../link/Messages.h"
 #include "CommandOperations.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 namespace detail {

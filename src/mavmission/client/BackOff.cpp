@@ -1,7 +1,7 @@
 // MissionClient's back-off while another ground station transfers. A file of its own, since not every sketch wants it.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
+#include "MissionClient.h"
 #include "Uploading.h"
 
 namespace mavmission {

@@ -1,11 +1,11 @@
 // MissionClient's clear().
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../base/Clock.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 #include "Clearing.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 using namespace detail;

@@ -1,4 +1,4 @@
-#include "../MissionClient.h"
+#include "MissionClient.h"
 
 #include <Arduino.h>
 

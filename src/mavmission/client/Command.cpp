@@ -1,14 +1,14 @@
 // MissionClient's commands: one at a time, each confirmed by COMMAND_ACK. MAVLink guide, Command Protocol.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../autopilot/Guarded.h"
-#include "../autopilot/Vehicle.h"
+#include "../autopilot/VehicleKind.h"
 #include "../base/Clock.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 #include "CommandOperations.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 using namespace detail;

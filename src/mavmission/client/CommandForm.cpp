@@ -1,9 +1,9 @@
 // A command of the sketch's own that the autopilot takes in its other form only: COMMAND_LONG or COMMAND_INT.
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "CommandOperations.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 using namespace detail;

@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
-#include "../FlightCommand.h"
-#include "../FlightMode.h"
+#include "../autopilot/FlightCommand.h"
+#include "../autopilot/FlightMode.h"
 #include "../transfer/CommandTransfer.h"
 #include "Port.h"
 

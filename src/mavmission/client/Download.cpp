@@ -1,9 +1,9 @@
 // MissionClient's download into a sink.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
+#include "MissionClient.h"
 #include "Reading.h"
 
 namespace mavmission {

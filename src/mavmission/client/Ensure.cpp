@@ -9,10 +9,10 @@
 // autopilot's items are read and compared.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 #include "Ensuring.h"
+#include "MissionClient.h"
 #include "Reading.h"
 #include "Uploading.h"
 

@@ -1,8 +1,8 @@
 // MissionClient's upload of a plan of any type. A file of its own, since only fences and rally points need the steps
 // below.
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "Ensuring.h"
+#include "MissionClient.h"
 #include "Reading.h"
 #include "Uploading.h"
 

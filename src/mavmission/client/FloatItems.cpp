@@ -2,9 +2,9 @@
 // need it.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
+#include "MissionClient.h"
 #include "Uploading.h"
 
 namespace mavmission {

@@ -2,7 +2,7 @@
 // for it.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 using namespace detail;

@@ -1,6 +1,6 @@
 // What MISSION_CURRENT tells about whose plan is aboard. A file of its own, since only start() and MissionFollower ask.
-#include "../MissionClient.h"
 #include "../link/Messages.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 using namespace detail;

@@ -1,9 +1,9 @@
 // MissionClient's partial upload, which only ArduPilot takes. A file of its own, since few sketches need it.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "MissionClient.h"
 #include "Uploading.h"
 
 namespace mavmission {

@@ -1,8 +1,8 @@
 // The port of what transfers a plan in its own way. A file of its own, since only PlanFiles does.
 #include "PlanPort.h"
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
+#include "MissionClient.h"
 #include "Reading.h"
 #include "Uploading.h"
 

@@ -4,9 +4,9 @@
 
 #include <stdint.h>
 
-#include "../ItemSink.h"
-#include "../ItemSource.h"
-#include "../PlanType.h"
+#include "../item/PlanType.h"
+#include "../plan/ItemSink.h"
+#include "../plan/ItemSource.h"
 #include "../plan/WirePlan.h"
 #include "Port.h"
 

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "CommandOperations.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 namespace detail {

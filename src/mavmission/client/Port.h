@@ -8,12 +8,12 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../ItemField.h"
-#include "../Operations.h"
-#include "../Status.h"
+#include "../base/Config.h"
+#include "../base/ItemField.h"
+#include "../base/Status.h"
 #include "../link/Link.h"
 #include "../transfer/CommandLog.h"
+#include "../transfer/Operations.h"
 
 namespace mavmission {
 

@@ -1,9 +1,9 @@
 // How MissionClient reads the autopilot's plan: to hand it to a sink, to compare it with a source, to prove an upload.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "MissionClient.h"
 #include "Reading.h"
 #include "Uploading.h"
 

@@ -1,10 +1,10 @@
 // MissionClient's start(): connects StartTransfer to the heartbeats, the plan and the link. And startMission().
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
 #include "CommandOperations.h"
+#include "MissionClient.h"
 
 namespace mavmission {
 using namespace detail;

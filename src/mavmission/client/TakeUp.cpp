@@ -1,6 +1,6 @@
 // What follows the end of an upload when the sketch has chosen options: the back-off, the MISSION_ITEM fallback, the
 // read-back. They are all decided here, so that an upload without any of these options needs only one test.
-#include "../MissionClient.h"
+#include "MissionClient.h"
 #include "Uploading.h"
 
 namespace mavmission {

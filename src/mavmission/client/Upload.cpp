@@ -1,9 +1,9 @@
 // MissionClient's upload: connects the plan and the transfer's state machine to the link.
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "MissionClient.h"
 #include "Uploading.h"
 
 namespace mavmission {

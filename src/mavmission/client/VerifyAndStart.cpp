@@ -1,6 +1,6 @@
 // MissionClient's verifyAndStart(): a start() between two looks at each item that the autopilot holds.
-#include "../MissionClient.h"
 #include "CommandOperations.h"
+#include "MissionClient.h"
 #include "Reading.h"
 
 namespace mavmission {

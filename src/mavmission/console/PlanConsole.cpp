@@ -1,4 +1,4 @@
-#include "../PlanConsole.h"
+#include "PlanConsole.h"
 
 #include <Arduino.h>
 

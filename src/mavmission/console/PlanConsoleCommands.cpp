@@ -1,5 +1,5 @@
 // The commands of a PlanConsole: their names, what each does, and help.
-#include "../PlanConsole.h"
+#include "PlanConsole.h"
 
 #include <Arduino.h>
 

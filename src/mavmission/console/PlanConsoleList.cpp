@@ -1,5 +1,5 @@
 // Prints a PlanConsole's plan as a .waypoints file.
-#include "../PlanConsole.h"
+#include "PlanConsole.h"
 
 #include <Arduino.h>
 

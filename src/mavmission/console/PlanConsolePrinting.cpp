@@ -1,5 +1,5 @@
 // The output of a PlanConsole, piece by piece.
-#include "../PlanConsole.h"
+#include "PlanConsole.h"
 
 #include <Arduino.h>
 

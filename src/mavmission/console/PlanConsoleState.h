@@ -3,9 +3,9 @@
 
 #include <stdint.h>
 
-#include "../FlashText.h"
-#include "../TextError.h"
+#include "../base/FlashText.h"
 #include "../base/StreamRoom.h"
+#include "../base/TextError.h"
 
 namespace mavmission {
 

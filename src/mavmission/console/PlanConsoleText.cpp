@@ -1,5 +1,5 @@
 // Takes a plan as text for a PlanConsole, and stores it in EEPROM.
-#include "../PlanConsole.h"
+#include "PlanConsole.h"
 
 #include <Arduino.h>
 

@@ -12,9 +12,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../Config.h"
-#include "../MessageKey.h"
+#include "../base/Config.h"
 #include "../base/RetryRules.h"
+#include "MessageKey.h"
 
 namespace mavmission {
 namespace detail {

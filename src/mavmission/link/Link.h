@@ -4,12 +4,12 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#include "../LinkCounters.h"
-#include "../MavlinkVersion.h"
 #include "../autopilot/AutopilotFinder.h"
 #include "../base/Pace.h"
 #include "../base/RetryRules.h"
 #include "FrameParser.h"
+#include "LinkCounters.h"
+#include "MavlinkVersion.h"
 #include "Outbox.h"
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"

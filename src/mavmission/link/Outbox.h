@@ -4,10 +4,10 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../OutgoingMessage.h"
+#include "../base/Config.h"
 #include "../base/StreamRoom.h"
 #include "FrameParser.h"
+#include "OutgoingMessage.h"
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"
 #endif

@@ -1,4 +1,4 @@
-#include "../PacketLink.h"
+#include "PacketLink.h"
 
 #include <string.h>
 

@@ -5,10 +5,10 @@
 
 #include <stdint.h>
 
-#include "../ItemField.h"
-#include "../MissionItem.h"
-#include "../Status.h"
 #include "../autopilot/Commands.h"
+#include "../base/ItemField.h"
+#include "../base/Status.h"
+#include "../item/MissionItem.h"
 
 namespace mavmission {
 namespace detail {

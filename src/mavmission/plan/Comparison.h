@@ -6,11 +6,11 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../ItemField.h"
-#include "../MissionItem.h"
-#include "../PlanType.h"
 #include "../autopilot/Commands.h"
+#include "../base/Config.h"
+#include "../base/ItemField.h"
+#include "../item/MissionItem.h"
+#include "../item/PlanType.h"
 
 namespace mavmission {
 namespace detail {

@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "../PlanType.h"
 #include "../autopilot/Personality.h"
+#include "../item/PlanType.h"
 
 namespace mavmission {
 namespace detail {

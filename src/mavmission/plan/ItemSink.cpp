@@ -1,4 +1,4 @@
-#include "../ItemSink.h"
+#include "ItemSink.h"
 
 namespace mavmission {
 

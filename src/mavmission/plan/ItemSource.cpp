@@ -1,4 +1,4 @@
-#include "../ItemSource.h"
+#include "ItemSource.h"
 
 #include "../base/Flash.h"
 

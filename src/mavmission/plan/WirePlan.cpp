@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "../Config.h"
 #include "../autopilot/Rules.h"
+#include "../base/Config.h"
 #include "../base/FloatBits.h"
 
 namespace mavmission {

@@ -6,13 +6,13 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../ItemSource.h"
-#include "../PlanType.h"
-#include "../Status.h"
 #include "../autopilot/Commands.h"
 #include "../autopilot/Personality.h"
+#include "../base/Config.h"
+#include "../base/Status.h"
+#include "../item/PlanType.h"
 #include "ItemNumbers.h"
+#include "ItemSource.h"
 
 namespace mavmission {
 namespace detail {

@@ -1,4 +1,4 @@
-#include "../LinkDoctor.h"
+#include "LinkDoctor.h"
 
 #include <Arduino.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "../MessageListener.h"
+#include "MessageListener.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "../MissionFollower.h"
+#include "MissionFollower.h"
 
 #include <Arduino.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "../Parameters.h"
+#include "Parameters.h"
 
 #include <Arduino.h>
 #include <string.h>

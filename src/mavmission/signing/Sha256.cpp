@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "../Config.h"
+#include "../base/Config.h"
 #include "../base/Flash.h"
 
 namespace mavmission {

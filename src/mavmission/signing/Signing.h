@@ -11,11 +11,11 @@
 
 #include <stdint.h>
 
-#include "../SigningCounters.h"
-#include "../SigningKey.h"
-#include "../TimestampStore.h"
 #include "Sha256.h"
+#include "SigningCounters.h"
+#include "SigningKey.h"
 #include "SigningTime.h"
+#include "TimestampStore.h"
 
 namespace mavmission {
 namespace detail {

@@ -1,4 +1,4 @@
-#include "../Eeprom.h"
+#include "Eeprom.h"
 
 #ifdef __AVR__
 #include <avr/eeprom.h>

@@ -13,7 +13,7 @@
 //    +--------------------+
 //
 // update() writes one byte of the running step; stepDone() begins the next one.
-#include "../EepromPlan.h"
+#include "EepromPlan.h"
 
 #include <string.h>
 

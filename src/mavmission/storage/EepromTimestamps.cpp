@@ -1,4 +1,4 @@
-#include "../EepromTimestamps.h"
+#include "EepromTimestamps.h"
 
 #ifdef __AVR__
 #include <avr/eeprom.h>

@@ -1,4 +1,4 @@
-#include "../WaypointsSource.h"
+#include "WaypointsSource.h"
 
 #include <Arduino.h>
 

@@ -21,10 +21,10 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../MissionItem.h"
-#include "../PlanType.h"
-#include "../TextError.h"
+#include "../base/Config.h"
+#include "../base/TextError.h"
+#include "../item/MissionItem.h"
+#include "../item/PlanType.h"
 #include "DecimalText.h"
 
 namespace mavmission {

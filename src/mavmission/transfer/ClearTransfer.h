@@ -12,10 +12,10 @@
 
 #include <stdint.h>
 
-#include "../PlanType.h"
-#include "../Status.h"
 #include "../base/Pace.h"
 #include "../base/RetryRules.h"
+#include "../base/Status.h"
+#include "../item/PlanType.h"
 
 namespace mavmission {
 namespace detail {

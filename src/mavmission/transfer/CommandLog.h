@@ -18,8 +18,8 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
 #include "../base/Clock.h"
+#include "../base/Config.h"
 #include "../base/RetryRules.h"
 
 namespace mavmission {

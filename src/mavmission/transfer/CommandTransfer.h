@@ -20,10 +20,10 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../Status.h"
 #include "../base/Clock.h"
+#include "../base/Config.h"
 #include "../base/RetryRules.h"
+#include "../base/Status.h"
 
 namespace mavmission {
 namespace detail {

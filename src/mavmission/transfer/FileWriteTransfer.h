@@ -13,9 +13,9 @@
 
 #include <stdint.h>
 
-#include "../Status.h"
 #include "../base/Pace.h"
 #include "../base/RetryRules.h"
+#include "../base/Status.h"
 
 namespace mavmission {
 namespace detail {

@@ -1,6 +1,6 @@
 #include "ModeOrder.h"
 
-#include "../FlightMode.h"
+#include "../autopilot/FlightMode.h"
 
 namespace mavmission {
 namespace detail {

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
+#include "../base/Config.h"
 
 namespace mavmission {
 namespace detail {

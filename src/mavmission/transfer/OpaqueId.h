@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../MissionItem.h"
+#include "../base/Config.h"
+#include "../item/MissionItem.h"
 
 namespace mavmission {
 namespace detail {

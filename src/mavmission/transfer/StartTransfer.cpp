@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "../FlightMode.h"
-#include "../autopilot/Vehicle.h"
+#include "../autopilot/FlightMode.h"
+#include "../autopilot/VehicleKind.h"
 #include "../base/FloatBits.h"
 #include "../base/MavlinkHeaders.h"
 #include "../plan/ItemNumbers.h"

@@ -5,14 +5,14 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../MissionItem.h"
-#include "../Operations.h"
-#include "../Status.h"
 #include "../autopilot/Personality.h"
+#include "../base/Config.h"
 #include "../base/RetryRules.h"
+#include "../base/Status.h"
+#include "../item/MissionItem.h"
 #include "CommandTransfer.h"
 #include "ModeOrder.h"
+#include "Operations.h"
 
 namespace mavmission {
 namespace detail {

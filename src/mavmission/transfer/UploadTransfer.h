@@ -14,12 +14,12 @@
 
 #include <stdint.h>
 
-#include "../Config.h"
-#include "../Status.h"
 #include "../autopilot/Personality.h"
 #include "../base/Clock.h"
+#include "../base/Config.h"
 #include "../base/Pace.h"
 #include "../base/RetryRules.h"
+#include "../base/Status.h"
 #include "UploadVerdict.h"
 
 namespace mavmission {

@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#include "../Status.h"
 #include "../autopilot/Personality.h"
+#include "../base/Status.h"
 
 namespace mavmission {
 namespace detail {

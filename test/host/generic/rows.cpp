@@ -5,10 +5,10 @@
 #include <initializer_list>
 #include <set>
 
-#include "mavmission/MissionItem.h"
 #include "mavmission/autopilot/Commands.h"
 #include "mavmission/autopilot/Personality.h"
 #include "mavmission/autopilot/Rules.h"
+#include "mavmission/item/MissionItem.h"
 #include "mavmission/plan/Comparison.h"
 
 using namespace mavmission;

@@ -2,7 +2,7 @@
 // library that knows one result more.
 #include <stdio.h>
 
-#include "mavmission/Status.h"
+#include "mavmission/base/Status.h"
 
 int main() {
   for (unsigned result = 14; result <= 17; ++result) {

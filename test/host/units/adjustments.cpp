@@ -1,5 +1,5 @@
 // Adjustments: what a copter is told of its heading and its speeds up and down, and which numbers are refused.
-#include "mavmission/Adjustments.h"
+#include "mavmission/steering/Adjustments.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

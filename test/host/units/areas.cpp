@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ClientOnLine.h"
-#include "mavmission/PlanFiles.h"
+#include "mavmission/files/PlanFiles.h"
 
 using namespace mavmission;
 using detail::Areas;

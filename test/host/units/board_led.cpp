@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "mavmission/Status.h"
+#include "mavmission/base/Status.h"
 
 #define HIGH 1
 #define LOW 0

@@ -5,8 +5,8 @@
 #include <deque>
 #include <string>
 
-#include "mavmission/MissionClient.h"
-#include "mavmission/PlanConsole.h"
+#include "mavmission/client/MissionClient.h"
+#include "mavmission/console/PlanConsole.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "RecordedItems.h"
-#include "mavmission/FlightCommand.h"
-#include "mavmission/MissionItem.h"
+#include "mavmission/autopilot/FlightCommand.h"
 #include "mavmission/autopilot/Rules.h"
+#include "mavmission/item/MissionItem.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

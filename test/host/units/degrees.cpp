@@ -1,8 +1,8 @@
-#include "mavmission/Degrees.h"
+#include "mavmission/item/Degrees.h"
 
 #include <doctest/doctest.h>
 
-#include "mavmission/MissionItem.h"
+#include "mavmission/item/MissionItem.h"
 
 using namespace mavmission;
 

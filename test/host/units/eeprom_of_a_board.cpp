@@ -4,8 +4,8 @@
 
 #include <initializer_list>
 
-#include "mavmission/EepromPlan.h"
-#include "mavmission/EepromTimestamps.h"
+#include "mavmission/storage/EepromPlan.h"
+#include "mavmission/storage/EepromTimestamps.h"
 
 using namespace mavmission;
 

@@ -1,4 +1,4 @@
-#include "mavmission/EepromPlan.h"
+#include "mavmission/storage/EepromPlan.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "mavmission/EepromTimestamps.h"
+#include "mavmission/storage/EepromTimestamps.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // A flight as conversations: what the aircraft shows and how operations end, and what the flight makes of it.
-#include "mavmission/transfer/FlightStages.h"
+#include "mavmission/steering/FlightStages.h"
 
 #include <doctest/doctest.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 #include <string.h>
 
-#include "mavmission/TelemetryListener.h"
+#include "mavmission/telemetry/TelemetryListener.h"
 
 // It is to be compiled with room for 60 bytes, and the programs of these tests have less: enough for a HOME_POSITION
 // whose last 8 bytes, the time, are 0, since MAVLink 2 omits them. So the check of the buffer's length is set aside
@@ -10,7 +10,7 @@
 #pragma push_macro("MAVMISSION_MAX_PAYLOAD")
 #undef MAVMISSION_MAX_PAYLOAD
 #define MAVMISSION_MAX_PAYLOAD 60
-#include "mavmission/HomeListener.h"
+#include "mavmission/telemetry/HomeListener.h"
 #pragma pop_macro("MAVMISSION_MAX_PAYLOAD")
 
 #include "ClientOnLine.h"

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "mavmission/ItemSink.h"
+#include "mavmission/plan/ItemSink.h"
 
 using namespace mavmission;
 

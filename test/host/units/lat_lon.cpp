@@ -1,5 +1,5 @@
 // The place so many metres north and east, beside the ellipsoid's radii, summed up in small steps.
-#include "mavmission/LatLon.h"
+#include "mavmission/item/LatLon.h"
 
 #include <doctest/doctest.h>
 #include <math.h>

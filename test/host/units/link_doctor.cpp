@@ -1,5 +1,5 @@
 // A LinkDoctor beside a client: what it says of a line, in which second, and what it sends to find that out.
-#include "mavmission/LinkDoctor.h"
+#include "mavmission/service/LinkDoctor.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

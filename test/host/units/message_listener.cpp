@@ -1,5 +1,5 @@
 // A MessageListener: what a sketch is given of a message, and that it takes nothing from the library's own listeners.
-#include "mavmission/MessageListener.h"
+#include "mavmission/service/MessageListener.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

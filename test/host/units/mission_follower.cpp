@@ -1,5 +1,5 @@
 // A MissionFollower beside a client: what it requests, what it tells of the mission, and whose plan it takes it for.
-#include "mavmission/MissionFollower.h"
+#include "mavmission/service/MissionFollower.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

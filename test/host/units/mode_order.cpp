@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-#include "mavmission/FlightMode.h"
+#include "mavmission/autopilot/FlightMode.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

@@ -1,4 +1,4 @@
-#include "mavmission/PacketLink.h"
+#include "mavmission/link/PacketLink.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Parameters by a whole client: what is asked, set, repeated, and what each answer means.
-#include "mavmission/Parameters.h"
+#include "mavmission/service/Parameters.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

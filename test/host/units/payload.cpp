@@ -1,5 +1,5 @@
 // Payload by a whole client: which commands are carried out, how often, and what is answered to whom.
-#include "mavmission/Payload.h"
+#include "mavmission/payload/Payload.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

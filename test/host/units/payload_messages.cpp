@@ -1,5 +1,5 @@
 // The messages of PayloadMessages.h, byte by byte as they are sent.
-#include "mavmission/PayloadMessages.h"
+#include "mavmission/payload/PayloadMessages.h"
 
 #include <Arduino.h>
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "mavmission/PlanConsole.h"
+#include "mavmission/console/PlanConsole.h"
 
 #include <doctest/doctest.h>
 

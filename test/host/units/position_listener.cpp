@@ -1,5 +1,5 @@
 // What a PositionListener says of what is not known.
-#include "mavmission/PositionListener.h"
+#include "mavmission/telemetry/PositionListener.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

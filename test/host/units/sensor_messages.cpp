@@ -1,5 +1,5 @@
 // The messages of SensorMessages.h, byte by byte as they are sent.
-#include "mavmission/SensorMessages.h"
+#include "mavmission/payload/SensorMessages.h"
 
 #include <Arduino.h>
 #include <doctest/doctest.h>

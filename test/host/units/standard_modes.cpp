@@ -1,5 +1,5 @@
 // StandardModes by a whole client: what is ordered and asked, and what each answer of the autopilot's means.
-#include "mavmission/StandardModes.h"
+#include "mavmission/steering/StandardModes.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

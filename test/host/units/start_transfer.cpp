@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <vector>
 
-#include "mavmission/FlightMode.h"
-#include "mavmission/MissionItem.h"
+#include "mavmission/autopilot/FlightMode.h"
+#include "mavmission/item/MissionItem.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

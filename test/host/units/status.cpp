@@ -1,4 +1,4 @@
-#include "mavmission/Status.h"
+#include "mavmission/base/Status.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "mavmission/Operations.h"
+#include "mavmission/transfer/Operations.h"
 
 using namespace mavmission;
 

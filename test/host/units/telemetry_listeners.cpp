@@ -6,19 +6,19 @@
 #include <limits>
 
 #include "ClientOnLine.h"
-#include "mavmission/AttitudeListener.h"
-#include "mavmission/BatteryListener.h"
-#include "mavmission/EstimatorListener.h"
-#include "mavmission/GpsListener.h"
-#include "mavmission/HealthListener.h"
-#include "mavmission/HudListener.h"
-#include "mavmission/PositionListener.h"
-#include "mavmission/RadioListener.h"
-#include "mavmission/RcListener.h"
-#include "mavmission/VibrationListener.h"
-#include "mavmission/WaypointListener.h"
-#include "mavmission/WindListener.h"
 #include "mavmission/base/MavlinkHeaders.h"
+#include "mavmission/telemetry/AttitudeListener.h"
+#include "mavmission/telemetry/BatteryListener.h"
+#include "mavmission/telemetry/EstimatorListener.h"
+#include "mavmission/telemetry/GpsListener.h"
+#include "mavmission/telemetry/HealthListener.h"
+#include "mavmission/telemetry/HudListener.h"
+#include "mavmission/telemetry/PositionListener.h"
+#include "mavmission/telemetry/RadioListener.h"
+#include "mavmission/telemetry/RcListener.h"
+#include "mavmission/telemetry/VibrationListener.h"
+#include "mavmission/telemetry/WaypointListener.h"
+#include "mavmission/telemetry/WindListener.h"
 
 using namespace mavmission;
 

@@ -1,5 +1,5 @@
 // A TelemetryPause beside a client: which messages it switches off and on again, and what each answer means for that.
-#include "mavmission/TelemetryPause.h"
+#include "mavmission/telemetry/TelemetryPause.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

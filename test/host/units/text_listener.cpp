@@ -1,5 +1,5 @@
 // A TextListener: which texts are given, when, and what a text of several pieces is when some are lost or repeated.
-#include "mavmission/TextListener.h"
+#include "mavmission/telemetry/TextListener.h"
 
 #include <doctest/doctest.h>
 #include <string.h>

@@ -1,11 +1,11 @@
-#include "mavmission/autopilot/Vehicle.h"
+#include "mavmission/autopilot/VehicleKind.h"
 
 #include <doctest/doctest.h>
 
 #include <map>
 
-#include "mavmission/FlightMode.h"
 #include "mavmission/autopilot/Commands.h"
+#include "mavmission/autopilot/FlightMode.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

@@ -5,13 +5,13 @@
 #include <string>
 
 #include "ClientOnLine.h"
-#include "mavmission/EstimatorListener.h"
-#include "mavmission/HealthListener.h"
-#include "mavmission/TextListener.h"
-#include "mavmission/VibrationListener.h"
-#include "mavmission/WindListener.h"
 #include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/base/Root.h"
+#include "mavmission/telemetry/EstimatorListener.h"
+#include "mavmission/telemetry/HealthListener.h"
+#include "mavmission/telemetry/TextListener.h"
+#include "mavmission/telemetry/VibrationListener.h"
+#include "mavmission/telemetry/WindListener.h"
 
 using namespace mavmission;
 

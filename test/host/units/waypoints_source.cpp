@@ -1,4 +1,4 @@
-#include "mavmission/WaypointsSource.h"
+#include "mavmission/text/WaypointsSource.h"
 
 #include <doctest/doctest.h>
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "mavmission/ItemSource.h"
 #include "mavmission/autopilot/Rules.h"
 #include "mavmission/plan/Comparison.h"
+#include "mavmission/plan/ItemSource.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
