@@ -134,7 +134,7 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
     return nullptr;
   }
   if (isCancel && !isPx4(firmware) && !mayFree) return "a running transfer is cancelled";
-  // What has given the upload up on a line that loses gets it anew.
+  // What has given the upload up on a lossy link gets it anew.
   if (isGeneric(firmware) && isUpload() && !isReading && message.kind == Kind::Count && asked != 0 && isHurried &&
       isGivenUp()) {
     counts = asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
@@ -396,7 +396,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
         return "Accepted, and not read back";
       if (isLooking) return "Accepted, and nothing was uploaded";
       if (isHurried == kHurriedBefore && task.operation != Operation::Upload && !isClosed && !isPx4(autopilot.firmware))
-        return "Accepted on a line that loses, and not read back";
+        return "Accepted on a lossy link, and not read back";
       if (task.operation == Operation::Ensure && before != nullptr && isAboard(*before, task.plan, task.items)) {
         return "a plan that was aboard is uploaded again";
       }

@@ -1,4 +1,4 @@
-// A PlanConsole that is typed at at random, while operations run, on lines that lose, double and delay frames.
+// A PlanConsole that is typed at at random, while operations run, on links that lose, double and delay frames.
 #pragma once
 
 #include "Exploration.h"

@@ -364,7 +364,7 @@ class Session {
   void hear() {
     const Bytes& bytes = line_.written;
     for (;;) {
-      while (at_ < bytes.size() && bytes[at_] == 0) ++at_;  // before a frame, on a line that loses
+      while (at_ < bytes.size() && bytes[at_] == 0) ++at_;  // before a frame, on a lossy link
       if (bytes.size() - at_ < 12) return;
       demand(bytes[at_] == 0xFD, "what was written is no frame");
       const size_t size = bytes[at_ + 1] + 12u;

@@ -344,7 +344,7 @@ DEFECTS = {
         "PX4 upload 2",
         "an item is sent that was not asked for",
     ),
-    "the next item is sent unasked on a line that loses": (
+    "the next item is sent unasked on a lossy link": (
         "UploadTransfer.cpp",
         "note(kItemAgain | kUnasked);",
         "note(kItemAgain | kUnasked);\n  if (nextItem() < behind_) ++item_;",
@@ -386,7 +386,7 @@ DEFECTS = {
         "PX4 download 0 --held 3",
         "a wrong item is asked for",
     ),
-    "several of ArduPilot's items are asked for at once on a line that loses": (
+    "several of ArduPilot's items are asked for at once on a lossy link": (
         "Read.cpp",
         "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
         "return client.plan_.has(kAnswersAnyRequest);",
@@ -463,12 +463,12 @@ DEFECTS = {
         "ArduPilot clear 0",
         "CLEAR_ALL is sent too often",
     ),
-    "an acceptance on a line that loses is not proven": (
+    "an acceptance on a lossy link is not proven": (
         "TakeUp.cpp",
         "isInDoubt = client.link_.pace().isLossy() && !transfer.isProven();",
         "isInDoubt = false;",
         "ArduPilot upload-in-doubt 1 --losses 1 --lossy 1",
-        "Accepted on a line that loses, and not read back",
+        "Accepted on a lossy link, and not read back",
     ),
     "an upload begins anew and forgets that the server has begun": (
         "TakeUp.cpp",

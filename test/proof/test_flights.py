@@ -3,7 +3,7 @@ autopilots, by test/flights.
 
 A pilot, a failsafe, another station, a line that is cut or loses, a loop() that stands still, devices of other kinds, a
 second vehicle that is heard when the first one is silent: each acts at every moment of a clean flight at which a frame
-leaves or arrives, and some of them at random on lines that lose. What must hold is in flights/Referee.h: whoever takes
+leaves or arrives, and some of them at random on lossy links. What must hold is in flights/Referee.h: whoever takes
 the aircraft keeps it, nothing is left armed, no other aircraft is spoken to, and what the library says is so.
 By hand, and one flight told in words:
 

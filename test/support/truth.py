@@ -12,7 +12,7 @@ from simulation.fake_autopilot import Item
 COUNTING_S = 5 * 1.5  # five COUNTs
 ITEM_S = 8.5  # from one new request to the next
 CONFIRMING_S = 9.0
-LISTING_S = 20.0  # what a read-back adds on a line that loses: 250 REQUEST_LISTs, 80 ms apart
+LISTING_S = 20.0  # what a read-back adds on a lossy link: 250 REQUEST_LISTs, 80 ms apart
 READING_S = 20.0  # and 250 requests for each item
 LOOP_S = 0.05  # when the bench looks at the end
 

@@ -55,7 +55,7 @@ class Timeline:
 
 
 def joined(crossed: Iterable[OnTheLine]) -> list[OnTheLine]:
-    """What crossed, with bytes between frames (the zeros on a line that loses) that follow each other as one."""
+    """What crossed, with bytes between frames (the zeros on a lossy link) that follow each other as one."""
     found: list[OnTheLine] = []
     last: dict[str, int] = {}  # by direction: where in `found`
     for crossing in crossed:

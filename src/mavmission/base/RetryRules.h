@@ -141,7 +141,7 @@ struct StartRules {
 
 struct SteerRules {
   static constexpr uint16_t kConfirmMs = 7500;   // for the heartbeat that shows the mode, and for the target
-  static constexpr uint8_t kLandedS = 20;        // for the answer whether it flies, on a line that loses, too
+  static constexpr uint8_t kLandedS = 20;        // for the answer whether it flies, on a lossy link, too
   static constexpr uint8_t kTakeOffS = 15;       // from the acceptance of a takeoff until it has left the ground
   static constexpr uint16_t kAskAgainMs = 1000;  // from PX4's answer that it has not, to the next question
   static constexpr uint8_t kFreshS = 3;          // how old a position may be

@@ -141,7 +141,7 @@ void Client::ReadingPlan::send(Client& client, uint16_t nowMs, bool asksAhead) {
 
 void Client::ReadingPlan::sendRequest(Client& client, uint16_t wireItem) {
   // An autopilot that is neither ArduPilot nor PX4 may know only the older request. It is sent in turns with the newer
-  // one: most know only that, and on a line that loses both of the first may be lost.
+  // one: most know only that, and on a lossy link both of the first may be lost.
   // (Neither of those that a macro names: Betaflight does not know it, and iNav answers it with its places as floats,
   // metres beside those that were sent.)
   const uint8_t tries = client.reading_.transfer.tries();

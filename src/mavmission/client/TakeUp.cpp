@@ -11,7 +11,7 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   const Rest& rest = client.rest_;
   if (rest.options.goOn != nullptr && rest.options.goOn(client, status, nowMs)) return true;
   const UploadTransfer& transfer = client.transfer_;
-  // A server whose ways are not known has given the upload up. On a line that loses that may be the cause, and what it
+  // A server whose ways are not known has given the upload up. On a lossy link that may be the cause, and what it
   // held is gone: so the upload begins anew, within the time for the whole operation.
   if ((status == Status::TimedOut || status == Status::CancelledByAutopilot) && client.plan_.has(kMayBeOld) &&
       client.link_.pace().isLossy()) {

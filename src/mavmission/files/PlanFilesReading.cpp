@@ -40,7 +40,7 @@ struct PlanFiles::ReadingFile : OperationParts {
   static bool begin(Client& client, uint16_t nowMs) {
     PlanFiles& self = PlanPort::filesOf(client);
     if (!self.plans().beginsReading(nowMs)) return false;
-    // On a line that loses, each lost item costs a request and an answer, and both are longer than those of the mission
+    // On a lossy link, each lost item costs a request and an answer, and both are longer than those of the mission
     // protocol. A sink that is not ready would let the rest of a burst go by.
     if (self.plans().mayWaitForSink() || self.client_.link().pace().isLossy() || !self.isUsable()) {
       self.readByItems(0, nowMs);

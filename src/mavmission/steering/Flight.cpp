@@ -241,7 +241,7 @@ void Flight::lookForStop(Flight& flight) {
     flight.place_.longitude = Degrees::fromE7(read.y);
   }
   const PositionListener& position = *flight.position_;
-  // On a line that loses, the listener's own request may not arrive in time.
+  // On a lossy link, the listener's own request may not arrive in time.
   const bool mayAsk = flight.isBeat_ && flight.stages_.running() == FlightOrder::None && position.intervalMs() != 0;
   if (mayAsk && position.ageMs() >= kFreshMs && flight.client_.link().pace().isLossy()) {
     flight.autopilot_.setMessageInterval(MAVLINK_MSG_ID_GLOBAL_POSITION_INT, int32_t{1000} * position.intervalMs());

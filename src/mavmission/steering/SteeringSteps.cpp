@@ -304,7 +304,7 @@ Status Steering::onTime(uint16_t nowMs) {
   switch (step_) {
     case SteerStep::AskLanded: {
       // Without the answer, it would be taken for that to the next question. An autopilot that accepts the question,
-      // and never tells, would be asked again and again on a line that loses.
+      // and never tells, would be asked again and again on a lossy link.
       if (!isHeard_ || !isAnswered_) return secondsOfStep() >= kLandedS ? Status::NoAnswer : Status::Transferring;
       if (is(kFromGround) && isPlane() && !canHover_) return Status::CommandUnsupported;
       const Status flight = judgeFlight();

@@ -26,7 +26,7 @@ bool CommandLog::maySend(uint16_t id, uint16_t nowMs) {
 }
 
 void CommandLog::sent(uint16_t id, uint16_t answerMs, uint16_t nowMs) {
-  // On a line that loses it is sent again sooner; its answer may still come after the usual time.
+  // On a lossy link it is sent again sooner; its answer may still come after the usual time.
   if (answerMs < kAnswerMs) answerMs = kAnswerMs;
   untilMs_ = nowMs + answerMs;
   id_ = id;
@@ -39,7 +39,7 @@ void CommandLog::ended(uint8_t tries, uint16_t nowMs) {
   if (tries < 2) return forget();
   isUnderWay_ = 0;
   // Every repetition of the command may be answered as well. The last late answer comes as long after this answer as
-  // the last repetition was sent after the first attempt; on a line that loses they were sent within less than that.
+  // the last repetition was sent after the first attempt; on a lossy link they were sent within less than that.
   if (tries > kTries) tries = kTries;
   untilMs_ = nowMs + (tries - 1) * kNextAnswerMs;
 }

@@ -22,7 +22,7 @@ void FileWriteTransfer::enter(State state) {
   makeDue(slots_[0]);
 }
 
-// A line that loses is given one item at a time: the shorter a frame, the likelier it arrives.
+// A lossy link is given one item at a time: the shorter a frame, the likelier it arrives.
 void FileWriteTransfer::makeDue(Slot& slot) {
   slot.phase = Phase::Due;
   slot.tries = 0;

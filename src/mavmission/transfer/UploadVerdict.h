@@ -99,7 +99,7 @@ constexpr Verdict verdictOnItemError(UploadState state, Firmware firmware, const
                                            : doubtedIf(state == UploadState::Confirming && e.has(kItemAgain));
 }
 
-// On a line that loses, many repeats in an earlier transfer may be answered with an error each. (The last item is read
+// On a lossy link, many repeats in an earlier transfer may be answered with an error each. (The last item is read
 // back in any case.)
 template <class Evidence>
 constexpr Verdict verdictOnError(UploadState state, Firmware firmware, const Evidence& e) {

@@ -111,7 +111,7 @@ TEST_CASE("an acceptance in doubt whose number of items is not heard is unconfir
   CHECK((transfer.onTime(nowMs, quiet) == Status::Unconfirmed));
 }
 
-TEST_CASE("on a line that loses CLEAR_ALL is repeated every 50 ms, up to 250 attempts") {
+TEST_CASE("on a lossy link CLEAR_ALL is repeated every 50 ms, up to 250 attempts") {
   Pace lossy = Pace();
   lossy.noteLoss();
   lossy.learn(30, true);

@@ -259,7 +259,7 @@ TEST_CASE("a second mode is refused, and the first one is ordered") {
   CHECK(valueAt<float>(desk.sent.back(), 8) == 6);  // AUTO, LAND
 }
 
-TEST_CASE("on a line that loses, an order that was accepted is not sent again before a heartbeat must have shown it") {
+TEST_CASE("on a lossy link, an order that was accepted is not sent again before a heartbeat must have shown it") {
   for (const bool isAccepted : {false, true}) {
     Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
     Bytes broken = packed(heartbeatParts(ClientOnLine::kArduPilot));
@@ -450,7 +450,7 @@ TEST_CASE(
   CHECK((desk.ended == Status::Done));
 }
 
-TEST_CASE("on a line that loses, an order that is accepted again and again, and that nothing shows, is given up") {
+TEST_CASE("on a lossy link, an order that is accepted again and again, and that nothing shows, is given up") {
   Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
   desk.client.setCustomMode(kGuided);
   uint32_t ms = 0;

@@ -107,7 +107,7 @@ TEST_CASE("where the acceptance proves the plan nothing is read back") {
   }
 }
 
-TEST_CASE("on a line that loses, the repeats in a read-back do not wait for what the longer items of before took") {
+TEST_CASE("on a lossy link, the repeats in a read-back do not wait for what the longer items of before took") {
   Proving desk(ClientOnLine::kArduPilot);
   desk.begin(Readback::Always);
   desk.ask(3);
@@ -193,7 +193,7 @@ TEST_CASE("in a read-back a height, and what it counts from, must be those of th
   }
 }
 
-TEST_CASE("on a line that loses, an acceptance is checked, unless PX4 has named the checksum with it") {
+TEST_CASE("on a lossy link, an acceptance is checked, unless PX4 has named the checksum with it") {
   for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
     Proving desk(autopilot);
     desk.lose();
@@ -443,7 +443,7 @@ TEST_CASE("items that come as floats prove nothing") {
   CHECK((desk.ended == Status::Accepted));
 }
 
-TEST_CASE("a server whose ways are not known begins anew on a line that loses, when it has given the upload up") {
+TEST_CASE("a server whose ways are not known begins anew on a lossy link, when it has given the upload up") {
   const struct {
     uint8_t autopilot;
     bool isLossy;
@@ -498,7 +498,7 @@ TEST_CASE("an upload that has begun anew, and is refused then, may have changed 
   }
 }
 
-TEST_CASE("a server whose ways are not known, and that falls silent, is tried again on a line that loses") {
+TEST_CASE("a server whose ways are not known, and that falls silent, is tried again on a lossy link") {
   for (const bool isLossy : {false, true}) {
     Proving desk(ClientOnLine::kOther);
     desk.begin();

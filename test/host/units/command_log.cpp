@@ -75,7 +75,7 @@ TEST_CASE("behind a command that was sent twice the same one waits for the secon
   }
 }
 
-TEST_CASE("late answers to many attempts on a line that loses are waited for as to five") {
+TEST_CASE("late answers to many attempts on a lossy link are waited for as to five") {
   CommandLog log = answered(kMode, 100);
   CHECK_FALSE(log.maySend(kMode, later(kBeganMs, 4 * CommandLog::kNextAnswerMs - 1)));
   CHECK(log.maySend(kMode, later(kBeganMs, 4 * CommandLog::kNextAnswerMs)));

@@ -127,7 +127,7 @@ TEST_CASE("whether a command may be sent again can be said before it is sent") {
   }
 }
 
-TEST_CASE("on a line that loses a command is sent again sooner, up to 100 attempts") {
+TEST_CASE("on a lossy link a command is sent again sooner, up to 100 attempts") {
   CommandTransfer transfer = CommandTransfer();
   uint16_t nowMs = kBeganMs;
   transfer.next(true);
@@ -142,7 +142,7 @@ TEST_CASE("on a line that loses a command is sent again sooner, up to 100 attemp
   }
 }
 
-TEST_CASE("on a line that loses a command that must not happen twice is sent once") {
+TEST_CASE("on a lossy link a command that must not happen twice is sent once") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(false);
   transfer.sent(kBeganMs, 80);
@@ -151,7 +151,7 @@ TEST_CASE("on a line that loses a command that must not happen twice is sent onc
   CHECK((transfer.onTime(0, later(kBeganMs, CommandTransfer::kProgressMs)) == Status::Unconfirmed));
 }
 
-TEST_CASE("on a line that loses an accepted command is sent again after 1500 ms, up to 4 more times") {
+TEST_CASE("on a lossy link an accepted command is sent again after 1500 ms, up to 4 more times") {
   CommandTransfer transfer = CommandTransfer();
   uint16_t nowMs = kBeganMs;
   transfer.next(true);
@@ -167,7 +167,7 @@ TEST_CASE("on a line that loses an accepted command is sent again after 1500 ms,
   }
 }
 
-TEST_CASE("on a line that loses the first attempt stays the first when it is accepted") {
+TEST_CASE("on a lossy link the first attempt stays the first when it is accepted") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true);
   transfer.sent(kBeganMs, 80);
@@ -175,7 +175,7 @@ TEST_CASE("on a line that loses the first attempt stays the first when it is acc
   CHECK(transfer.tries() == 1);
 }
 
-TEST_CASE("on a line that loses an order that is accepted each time is given up behind the 16th, a question never") {
+TEST_CASE("on a lossy link an order that is accepted each time is given up behind the 16th, a question never") {
   for (bool isQuestion : {false, true}) {
     CommandTransfer transfer = CommandTransfer();
     for (int command = 0; command < 2; ++command) {  // and the next one is counted anew
@@ -204,7 +204,7 @@ TEST_CASE("acceptance does not shorten the wait on a slow line") {
   CHECK_FALSE(transfer.isDue());
 }
 
-TEST_CASE("on a line that loses MISSION_SET_CURRENT is sent again as soon and as often as any command") {
+TEST_CASE("on a lossy link MISSION_SET_CURRENT is sent again as soon and as often as any command") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true);
   uint16_t nowMs = kBeganMs;

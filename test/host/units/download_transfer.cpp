@@ -99,7 +99,7 @@ TEST_CASE("an item is asked for 8 times, 250 ms apart, and then the time is out"
   }
 }
 
-TEST_CASE("on a line that loses, an item is asked for again after half the time of the list") {
+TEST_CASE("on a lossy link, an item is asked for again after half the time of the list") {
   DownloadTransfer transfer = begun();
   pace.noteLoss();
   transfer.sent(0);
@@ -116,7 +116,7 @@ TEST_CASE("on a line that loses, an item is asked for again after half the time 
   CHECK(transfer.toSend() == Send::Request);
 }
 
-TEST_CASE("on a line that loses, an autopilot that answers each request is asked again when the answer is overdue") {
+TEST_CASE("on a lossy link, an autopilot that answers each request is asked again when the answer is overdue") {
   DownloadTransfer transfer = fetching(2);
   pace.learn(20, true);
   pace.noteLoss();
@@ -263,7 +263,7 @@ TEST_CASE("a list is asked for once, however many items may be asked for") {
   CHECK(transfer.toSend(true) == Send::Nothing);
 }
 
-TEST_CASE("of several nothing is asked for anew before their answers have had time to come, on a line that loses too") {
+TEST_CASE("of several nothing is asked for anew before their answers have had time to come, on a lossy link too") {
   DownloadTransfer transfer = fetching(9);
   pace.learn(300, true);
   askedAhead(transfer, 100);

@@ -118,7 +118,7 @@ TEST_CASE("an answer after more than 40 ms, or to a repeat, lets one write go at
   CHECK_FALSE(repeated.isDue());
 }
 
-TEST_CASE("a line that loses is given one item at a time, also of a write that was longer") {
+TEST_CASE("a lossy link is given one item at a time, also of a write that was longer") {
   FileWriteTransfer transfer = open(8, 100);
   const Request six = sent(transfer);
   CHECK(six.count == 6);

@@ -904,7 +904,7 @@ TEST_CASE("a plan that is proven item by item is accepted when all items are the
   }
 }
 
-TEST_CASE("an item that is another one differs, and on a line that loses the plan is uploaded item by item") {
+TEST_CASE("an item that is another one differs, and on a lossy link the plan is uploaded item by item") {
   for (bool isLossy : {false, true}) {
     CAPTURE(isLossy);
     Proven pilot(isLossy);
@@ -918,7 +918,7 @@ TEST_CASE("an item that is another one differs, and on a line that loses the pla
   }
 }
 
-TEST_CASE("another number of items differs, and on a line that loses the plan is uploaded item by item") {
+TEST_CASE("another number of items differs, and on a lossy link the plan is uploaded item by item") {
   for (bool isLossy : {false, true}) {
     CAPTURE(isLossy);
     Proven pilot(isLossy);

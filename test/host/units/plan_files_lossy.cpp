@@ -171,7 +171,7 @@ TEST_CASE("an autopilot that is armed while ensure() checks a long plan may have
   CHECK((pilot.end() == Status::AlreadyAboard));
 }
 
-TEST_CASE("on a line that loses, another number of items of a plan of one item leads to an upload item by item") {
+TEST_CASE("on a lossy link, another number of items of a plan of one item leads to an upload item by item") {
   Pilot pilot;
   pilot.makeLossy();
   pilot.gives[FilePilot::kOpen] = FilePilot::kFail;

@@ -517,7 +517,7 @@ TEST_CASE("the disarming of a takeoff that took too long has five attempts of it
   CHECK(count(copter.said(), kDisarm) == 5);
 }
 
-TEST_CASE("on a line that loses, PX4 that accepts the question and never tells is asked for 20 s") {
+TEST_CASE("on a lossy link, PX4 that accepts the question and never tells is asked for 20 s") {
   Aircraft px4(ClientOnLine::kPx4);
   px4.fly(kPx4Mission);
   for (int i = 0; i < 100; ++i) {

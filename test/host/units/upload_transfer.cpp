@@ -110,7 +110,7 @@ TEST_CASE("asking for the same item again does not put off the end") {
   CHECK((upload.wait(500) == Status::TimedOut));
 }
 
-TEST_CASE("on a line that loses, an error long behind the last new request says that PX4 has given the upload up") {
+TEST_CASE("on a lossy link, an error long behind the last new request says that PX4 has given the upload up") {
   for (const uint16_t ms : {2400, 2500, 5100}) {
     Upload upload(3, Firmware::Px4, kFromOpen);
     upload.pace.noteLoss();
@@ -714,7 +714,7 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
   }
 }
 
-TEST_CASE("on a line that loses, an unknown server gets room for its own timeout behind each eight of an item") {
+TEST_CASE("on a lossy link, an unknown server gets room for its own timeout behind each eight of an item") {
   Upload upload(3, Firmware::Other);
   upload.send();
   upload.wait(18);
@@ -730,7 +730,7 @@ TEST_CASE("on a line that loses, an unknown server gets room for its own timeout
   }
 }
 
-TEST_CASE("on a line that loses, an item is sent again when its answer is overdue, the last one every 50 ms") {
+TEST_CASE("on a lossy link, an item is sent again when its answer is overdue, the last one every 50 ms") {
   for (const Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
     Upload upload(2, firmware);
     upload.send();
@@ -769,7 +769,7 @@ TEST_CASE("an item is sent again after three quarters of a round trip, but 4 tim
   }
 }
 
-TEST_CASE("on a line that loses, PX4 gets four copies of an item, then the next one in turn, but not the last one") {
+TEST_CASE("on a lossy link, PX4 gets four copies of an item, then the next one in turn, but not the last one") {
   Upload upload(4, Firmware::Px4);
   upload.served(1);
   upload.pace.noteLoss();
@@ -847,7 +847,7 @@ TEST_CASE("a request that is repeated says that the line loses; one of a queue t
   CHECK(upload.pace.isLossy());
 }
 
-TEST_CASE("on a line that loses and answers late, an item is repeated eight times in a round trip at the most") {
+TEST_CASE("on a lossy link that answers late, an item is repeated eight times in a round trip at the most") {
   for (uint16_t roundTripMs : {480, 800, 1400}) {
     Upload upload(3);
     upload.send();
@@ -913,7 +913,7 @@ TEST_CASE("an item is sent again until the time for the next request is over") {
   CHECK(passed == 8500);
 }
 
-TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated every 1500 ms on a line that loses too") {
+TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated every 1500 ms on a lossy link too") {
   Upload upload(3, Firmware::Px4, kFromBusy);
   upload.pace.noteLoss();
   upload.send();
@@ -940,7 +940,7 @@ TEST_CASE("an item's repeats take four fifths of the line at the most; the last 
   }
 }
 
-TEST_CASE("on a line that loses, COUNT is sent again for 7.5 s, before ArduPilot would give up what it has heard") {
+TEST_CASE("on a lossy link, COUNT is sent again for 7.5 s, before ArduPilot would give up what it has heard") {
   Upload upload(3, Firmware::ArduPilot);
   upload.pace.noteLoss();
   uint16_t counts = 0;
@@ -1015,7 +1015,7 @@ TEST_CASE("where an earlier transfer may be what is accepted, the last item is s
   }
 }
 
-TEST_CASE("on a line that loses, the last item is sent again until 9 s are over") {
+TEST_CASE("on a lossy link, the last item is sent again until 9 s are over") {
   Upload upload(2);
   upload.served(2);
   Status status = Status::Transferring;
