@@ -244,8 +244,8 @@ DEFECTS = {
     ),
     "a mode that is set while the vehicle is asked is taken for the one before": (
         "Command.cpp",
-        "mode.order.begin(client.firstMode(), mode.number);",
-        "mode.order.begin(client.shownMode(), mode.number);",
+        "mode.order.begin(seen(client, client.firstMode()), mode.number);",
+        "mode.order.begin(seen(client, client.shownMode()), mode.number);",
         "Copter setMode each 2",
         "command 176 leaves behind a heartbeat",
     ),
