@@ -40,7 +40,7 @@ static bool itemOfFunctionPlan(void* context, uint16_t index, MissionItem& item)
   item.y = 85456280L - 41L * index;
   item.z = 20.125f + index % 100;
   item.command = kNavWaypoint;
-  item.frame = Frame::GlobalRelative;
+  item.frame = CoordinateFrame::GlobalRelative;
   item.current = 0;
   item.autocontinue = index % 3 != 0;
   return true;

@@ -190,7 +190,7 @@ ACTION(takeoff) { tellBegun(steering.takeOff(Metres(asFloat(numbers[0])))); }
 ACTION(goTo) {
   const LatLon place = {Degrees::fromE7(static_cast<int32_t>(numbers[0])),
                         Degrees::fromE7(static_cast<int32_t>(numbers[1]))};
-  tellBegun(steering.goTo(place, Altitude(Metres(asFloat(numbers[2])), static_cast<Frame>(numbers[3]))));
+  tellBegun(steering.goTo(place, Altitude(Metres(asFloat(numbers[2])), static_cast<CoordinateFrame>(numbers[3]))));
 }
 ACTION(hold) { tellBegun(steering.pause()); }
 ACTION(goOn) { tellBegun(steering.resume()); }
@@ -211,7 +211,7 @@ static Altitude targetAltitude = 0_m;
 static void readTarget(const Numbers& numbers) {
   targetPlace =
       LatLon{Degrees::fromE7(static_cast<int32_t>(numbers[0])), Degrees::fromE7(static_cast<int32_t>(numbers[1]))};
-  targetAltitude = Altitude(Metres(asFloat(numbers[2])), static_cast<Frame>(numbers[3]));
+  targetAltitude = Altitude(Metres(asFloat(numbers[2])), static_cast<CoordinateFrame>(numbers[3]));
 }
 ACTION(follow) {
   readTarget(numbers);

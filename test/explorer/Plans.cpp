@@ -103,7 +103,7 @@ uint8_t itemDownloaded(const MissionItem& item, bool isHome, uint8_t type) {
   const uint8_t found = static_cast<uint8_t>(steps);
   const mavlink_mission_item_int_t meant = placeOf(found, type, Firmwares::Px4);
   const bool isOurs = item.y == meant.y && item.z == meant.z && item.command == meant.command &&
-                      item.frame == (type == kFence ? Frame::Global : Frame::GlobalRelative);
+                      item.frame == (type == kFence ? CoordinateFrame::Global : CoordinateFrame::GlobalRelative);
   return isOurs ? found : kNoItemAtAll;
 }
 

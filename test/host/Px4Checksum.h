@@ -20,11 +20,12 @@ inline uint32_t px4Checksum(uint32_t sum, const mavlink_mission_item_int_t& item
 
 // Of these items, which have a place in frame 3 or none, as they are sent.
 inline uint32_t px4Checksum(const mavmission::MissionItem* plan, uint16_t count) {
-  using mavmission::Frame;
+  using mavmission::CoordinateFrame;
   uint32_t sum = 0;
   for (uint16_t seq = 0; seq < count; ++seq) {
     mavmission::MissionItem item = plan[seq];
-    item.frame = item.frame == Frame::GlobalRelative ? Frame::GlobalRelative : Frame::Mission;
+    item.frame =
+        item.frame == CoordinateFrame::GlobalRelative ? CoordinateFrame::GlobalRelative : CoordinateFrame::Mission;
     mavlink_mission_item_int_t message;
     memcpy(&message, itemParts(seq, item).payload.data(), sizeof(message));
     sum = px4Checksum(sum, message);

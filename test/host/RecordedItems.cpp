@@ -39,7 +39,7 @@ int integer(const std::string& cell) { return atoi(cell.c_str()); }
 // param1 to param4, x, y, z, from a column on.
 MissionItem itemOf(const std::vector<std::string>& cells, size_t column, int frame, int command) {
   MissionItem item = anyCommand(static_cast<uint16_t>(command));
-  item.frame = static_cast<Frame>(frame);
+  item.frame = static_cast<CoordinateFrame>(frame);
   float* const numbers[] = {&item.param1, &item.param2, &item.param3, &item.param4};
   for (size_t i = 0; i < 4; ++i) *numbers[i] = strtof(cells[column + i].c_str(), nullptr);
   item.x = integer(cells[column + 4]);
@@ -67,7 +67,7 @@ RecordedItem rowOf(const std::vector<std::string>& cells, const Vehicle& vehicle
 
 // Not as the library sends it, where a command without a place has no other frame.
 bool isSentOtherwise(const RecordedItem& row) {
-  return row.isPx4() && row.sent.frame != Frame::Mission && (traitsOf(row.sent.command) & kHasNoPlace) != 0;
+  return row.isPx4() && row.sent.frame != CoordinateFrame::Mission && (traitsOf(row.sent.command) & kHasNoPlace) != 0;
 }
 
 std::vector<RecordedItem> loaded() {
@@ -89,7 +89,7 @@ std::vector<RecordedItem> loaded() {
 // PX4 has another layout for an item without a place.
 typedef std::tuple<std::string, PlanType, uint16_t, bool, unsigned> FieldOfCommand;
 FieldOfCommand keyOf(const RecordedItem& row, unsigned index) {
-  const bool hasNoPlace = row.isPx4() && row.sent.frame == Frame::Mission;
+  const bool hasNoPlace = row.isPx4() && row.sent.frame == CoordinateFrame::Mission;
   return FieldOfCommand(row.vehicle, row.type, row.sent.command, hasNoPlace, index);
 }
 

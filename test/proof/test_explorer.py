@@ -347,7 +347,7 @@ DEFECTS = {
     "the next item is sent unasked on a lossy link": (
         "UploadTransfer.cpp",
         "note(kItemAgain | kUnasked);",
-        "note(kItemAgain | kUnasked);\n  if (nextItem() < behind_) ++item_;",
+        "note(kItemAgain | kUnasked);\n  if (nextItem() < end_) ++item_;",
         "ArduPilot upload 2 --lossy 1",
         "an item is sent that was not asked for",
     ),

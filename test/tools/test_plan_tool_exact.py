@@ -362,7 +362,7 @@ def test_header_means_exactly_the_plan_on_the_mega():
         (Item(2, 206, 0, 1, 25.0, 0.0, 1.0, 0.0, 0, 0, 0.0), "anyCommand(kDoSetCameraTriggerDistance, 25, 0, 1)"),
         (
             Item(3, 16, 1, 1, 0.0, 0.0, 0.0, NAN, 10, 20, 5.0),
-            "MissionItem{0, 0, 0, Yaw().inDegrees(), 10, 20, 5, kNavWaypoint, Frame::GlobalRelative, 1, 1}",
+            "MissionItem{0, 0, 0, Yaw().inDegrees(), 10, 20, 5, kNavWaypoint, CoordinateFrame::GlobalRelative, 1, 1}",
         ),
         (
             Item(3, 22, 0, 1, 15.0, 0.0, 0.0, NAN, 10, 20, 5.0),

@@ -49,7 +49,7 @@ MissionItem item() {
   static_assert(sizeof(words) == kPlaceBytes, "param1 to z");
   memcpy(static_cast<void*>(&made), words, sizeof(words));
   made.command = static_cast<uint16_t>(number());
-  made.frame = static_cast<Frame>(number());
+  made.frame = static_cast<CoordinateFrame>(number());
   made.current = static_cast<uint8_t>(number());
   made.autocontinue = static_cast<uint8_t>(number());
   return made;
@@ -195,7 +195,7 @@ void text() {
 void commands() {
   for (unsigned command = 0; command <= 0xFFFF; ++command) {
     MissionItem item = anyCommand(static_cast<uint16_t>(command));
-    item.frame = Frame::Global;
+    item.frame = CoordinateFrame::Global;
     // What is in no row has a place, or has none, as its frame says, on ArduPilot too.
     if (rulesOf(item, kByArduPilot).has(kAsItsFrameSays)) continue;
     const uint8_t traits = traitsOf(item.command);

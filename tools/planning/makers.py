@@ -109,7 +109,7 @@ def altitude(item: Item) -> str:
 
 
 def frame_name(frame: int) -> str:
-    return f"Frame::{FRAME_NAMES[frame]}" if frame in FRAME_NAMES else f"static_cast<Frame>({frame})"
+    return f"CoordinateFrame::{FRAME_NAMES[frame]}" if frame in FRAME_NAMES else f"static_cast<Frame>({frame})"
 
 
 def command_name(command: int) -> str:

@@ -42,8 +42,8 @@ class Maker:
         given = [part.strip() for part in flat.replace("(", "").replace(")", "").split(",")]
         self.command = numbers[given[0]]
         names = [0, 1, 2, 3, 4] if call[1] == "anyCommand" else [0, 5, 6, 7, 1, 2, 3, 4]
-        if "Frame::" in flat:
-            given = [part for part in given if "Frame::" not in part]
+        if "CoordinateFrame::" in flat:
+            given = [part for part in given if "CoordinateFrame::" not in part]
         for place, text in zip(names[1:], given[1:], strict=False):
             for argument, _ in self.arguments:
                 if re.search(rf"\b{argument}\b", text):

@@ -28,7 +28,7 @@ bool printItem(void*, uint16_t index, const MissionItem& item) {
   }
   CONSOLE.print(F(": command "));
   CONSOLE.print(item.command);
-  if (item.frame == Frame::Mission) {
+  if (item.frame == CoordinateFrame::Mission) {
     CONSOLE.print(F(", param1 "));
     CONSOLE.print(item.param1);
     CONSOLE.print(F(", param2 "));
@@ -41,8 +41,8 @@ bool printItem(void*, uint16_t index, const MissionItem& item) {
   printDegrees(item.y);
   CONSOLE.print(' ');
   CONSOLE.print(item.z);
-  CONSOLE.println(item.frame == Frame::GlobalRelative ? F(" m above home")
-                  : item.frame == Frame::Global       ? F(" m above sea level")
+  CONSOLE.println(item.frame == CoordinateFrame::GlobalRelative ? F(" m above home")
+                  : item.frame == CoordinateFrame::Global       ? F(" m above sea level")
                                                       : F(" m above the ground"));
   return true;
 }

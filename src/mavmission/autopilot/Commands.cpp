@@ -304,7 +304,7 @@ Rules rulesOf(const MissionItem& item, Keeper keeper) {
     more = fromFlash(moreInFlash);
     break;
   }
-  if ((more & kAsItsFrameSays << 12) != 0 && item.frame == Frame::Mission) {
+  if ((more & kAsItsFrameSays << 12) != 0 && item.frame == CoordinateFrame::Mission) {
     // In an item without a place all fields are kept as they are; only a Special param1 keeps its rule.
     params &= 15;
     more = four(K, K, Height, kHasNoPlace);
@@ -331,7 +331,7 @@ namespace {
 Rules anyRulesOf(uint16_t command) {
   MissionItem item;
   item.command = command;
-  item.frame = Frame::Global;
+  item.frame = CoordinateFrame::Global;
   return rulesOf(item, 0);
 }
 

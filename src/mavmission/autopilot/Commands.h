@@ -15,7 +15,7 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type);
 
 // Flags of a command.
 enum CommandTrait : uint8_t {
-  kHasNoPlace = 1,       // the command has no place: it is sent with Frame::Mission
+  kHasNoPlace = 1,       // the command has no place: it is sent with CoordinateFrame::Mission
   kIsNotTaken = 2,       // this autopilot does not take the command in a plan
   kPlaceIsOptional = 4,  // PX4: it gets the place of another item; ArduPilot: its altitude is not flown
   kAsItsFrameSays = 8,   // the item's frame tells whether it has a place; so for every command without a row

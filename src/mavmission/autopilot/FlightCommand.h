@@ -12,14 +12,15 @@ struct FlightCommand {
   float param7;                          // or the altitude
   int32_t x, y;                          // of COMMAND_INT: latitude, longitude [1e-7 deg]
   uint16_t id;                           // MAV_CMD
-  Frame frame;                           // of COMMAND_INT
+  CoordinateFrame frame;                 // of COMMAND_INT
   bool hasPlace;                         // it is sent as COMMAND_INT
 };
 
 // Any command, with the meaning that MAV_CMD gives its parameters...
 constexpr FlightCommand flightCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0,
                                       float param4 = 0, float param5 = 0, float param6 = 0, float param7 = 0) {
-  return FlightCommand{param1, param2, param3, param4, param5, param6, param7, 0, 0, id, Frame::Mission, false};
+  return FlightCommand{param1, param2, param3, param4, param5, param6, param7, 0, 0, id, CoordinateFrame::Mission,
+                       false};
 }
 // ... and one with coordinates.
 constexpr FlightCommand flightCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude,

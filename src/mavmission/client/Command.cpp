@@ -180,9 +180,9 @@ void Client::Command::send(Client& client, bool isBegun, uint16_t nowMs) {
     piece.asItem.seq = static_cast<uint16_t>(item);
     key = KeyIndex::MISSION_SET_CURRENT;
   } else if (piece.command.hasPlace) {
-    Frame frame = piece.command.frame;
+    CoordinateFrame frame = piece.command.frame;
     // PX4 1.18 takes no other number.
-    if (frame == Frame::Global) frame = Frame::GlobalInt;
+    if (frame == CoordinateFrame::Global) frame = CoordinateFrame::GlobalInt;
     memmove(&piece.command.param5, &piece.command.x, 2 * sizeof(piece.command.x));
     piece.asInt.command = id;
     piece.asInt.frame = static_cast<uint8_t>(frame);

@@ -40,7 +40,7 @@ Status Client::OwnCommand::sendInOtherForm(Client& client, Status refusal) {
   int32_t whole = 0;
   if (refusal == Status::CommandIntOnly && !own.hasPlace) {
     if (isInteger(own.param5, whole) && isInteger(own.param6, whole)) other = fillAsInt;
-  } else if (refusal == Status::CommandLongOnly && own.hasPlace && own.frame == Frame::Mission) {
+  } else if (refusal == Status::CommandLongOnly && own.hasPlace && own.frame == CoordinateFrame::Mission) {
     if (isFloat(own.x) && isFloat(own.y)) other = fillAsLong;
   }
   if (other == nullptr) return refusal;

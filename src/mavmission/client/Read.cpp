@@ -257,7 +257,7 @@ void Client::ReadingPlan::takeItem(Client& client, const FrameParser& frame, uin
   const uint8_t current = message.current;
   const uint8_t autocontinue = message.autocontinue;
   piece.item.command = command;
-  piece.item.frame = static_cast<Frame>(frameNumber);
+  piece.item.frame = static_cast<CoordinateFrame>(frameNumber);
   piece.item.current = current;
   piece.item.autocontinue = autocontinue;
   const Status taken = client.reading_.take(client, seq, piece.item);
@@ -274,7 +274,7 @@ Status Client::ReadingPlan::compare(Client& client, uint16_t wireItem, MissionIt
   ItemField field = ItemField::Command;
   if (plan.numbers().isHome(wireItem)) {
     // Home is the autopilot's own, however the sketch counts, and nothing else: not what we have sent in its place.
-    if (item.command == kNavWaypoint && item.frame == Frame::Global) return Status::Transferring;
+    if (item.command == kNavWaypoint && item.frame == CoordinateFrame::Global) return Status::Transferring;
   } else {
     MissionItem meant;
     const Status read = plan.read(wireItem, meant);

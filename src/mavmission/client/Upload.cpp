@@ -331,7 +331,7 @@ void Client::Uploading::prepare(Client& client, uint16_t wireItem, uint16_t nowM
   const MissionItem& item = piece.item;
   mavlink_mission_item_int_t& message = piece.message;
   const uint16_t command = item.command;
-  const Frame frame = item.frame;
+  const CoordinateFrame frame = item.frame;
   const uint8_t current = item.current;
   const uint8_t autocontinue = item.autocontinue;
   message.seq = wireItem;

@@ -33,7 +33,7 @@ void PlanConsole::composeField(uint8_t field) {
   const ItemSource source = plan_.source();
   if (!source.read(source.context, item_, item)) return;
   ram_ = piece_;
-  const bool isPlace = item.frame != Frame::Mission;
+  const bool isPlace = item.frame != CoordinateFrame::Mission;
   switch (field) {
     case 1: return putNumber(item_ + 1u);
     case 2: return putNumber(item.current);

@@ -154,7 +154,7 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
   const uint8_t frameNumber = piece.message.frame;
   const uint8_t autocontinue = piece.message.autocontinue;
   piece.item.command = command;
-  piece.item.frame = static_cast<Frame>(frameNumber);
+  piece.item.frame = static_cast<CoordinateFrame>(frameNumber);
   piece.item.current = 0;  // the file has it by another rule than the protocol
   piece.item.autocontinue = autocontinue;
   dropLeftOvers(piece.item, plans().plan().keeper());

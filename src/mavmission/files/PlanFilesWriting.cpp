@@ -221,7 +221,7 @@ Status PlanFiles::makeItem(uint16_t wireItem, void* bytes) const {
   const Status read = plans().plan().read(wireItem, piece.item);
   if (read != Status::Accepted) return read;
   const uint16_t command = piece.item.command;
-  const Frame frame = piece.item.frame;
+  const CoordinateFrame frame = piece.item.frame;
   const uint8_t current = piece.item.current;
   const uint8_t autocontinue = piece.item.autocontinue;
   mavlink_mission_item_int_t& message = piece.message;

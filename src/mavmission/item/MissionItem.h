@@ -46,11 +46,11 @@ enum : uint16_t {
 // functions below.
 struct MissionItem {
   float param1, param2, param3, param4;  // meaning by command; a NaN is allowed only where param4 is a yaw
-  int32_t x;                             // latitude [1e-7 deg], or parameter 5 with Frame::Mission
-  int32_t y;                             // longitude [1e-7 deg], or parameter 6 with Frame::Mission
+  int32_t x;                             // latitude [1e-7 deg], or parameter 5 with CoordinateFrame::Mission
+  int32_t y;                             // longitude [1e-7 deg], or parameter 6 with CoordinateFrame::Mission
   float z;                               // altitude [m, from what frame says], or parameter 7
   uint16_t command;                      // MAV_CMD
-  Frame frame;                           // MAV_FRAME
+  CoordinateFrame frame;                 // MAV_FRAME
   uint8_t current;                       // 1: PX4 begins here if the plan comes in flight; else 0. 2, 3: refused
   uint8_t autocontinue;                  // 1: go on to the next item
 };
@@ -63,7 +63,7 @@ static_assert(offsetof(MissionItem, command) == kPlaceBytes,
 // Any command without coordinates, by hand: the parameters are those of MAV_CMD's table.
 constexpr MissionItem anyCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
                                  int32_t param5 = 0, int32_t param6 = 0, float param7 = 0) {
-  return MissionItem{param1, param2, param3, param4, param5, param6, param7, id, Frame::Mission, 0, 1};
+  return MissionItem{param1, param2, param3, param4, param5, param6, param7, id, CoordinateFrame::Mission, 0, 1};
 }
 
 // Any command with coordinates, by hand.
@@ -190,23 +190,27 @@ constexpr MissionItem turnTo(WideHeading heading) {
 // One corner of a polygon that the aircraft must not leave. All corners of a polygon follow one another, each with the
 // same `corners`: how many corners the polygon has.
 constexpr MissionItem fenceInside(Degrees latitude, Degrees longitude, uint8_t corners) {
-  return anyCommandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
+  return anyCommandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), CoordinateFrame::Global),
+                      corners);
 }
 // One corner of a polygon that the aircraft must not enter.
 constexpr MissionItem fenceOutside(Degrees latitude, Degrees longitude, uint8_t corners) {
-  return anyCommandAt(kFencePolygonExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
+  return anyCommandAt(kFencePolygonExclusion, latitude, longitude, Altitude(Metres(0), CoordinateFrame::Global),
+                      corners);
 }
 // A circle that the aircraft must not leave.
 constexpr MissionItem fenceInsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
-  return anyCommandAt(kFenceCircleInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
+  return anyCommandAt(kFenceCircleInclusion, latitude, longitude, Altitude(Metres(0), CoordinateFrame::Global),
+                      radius.value);
 }
 // A circle that the aircraft must not enter.
 constexpr MissionItem fenceOutsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
-  return anyCommandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
+  return anyCommandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), CoordinateFrame::Global),
+                      radius.value);
 }
 // The point to which the aircraft goes when it has breached the fence (ArduPilot's Plane).
 constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
-  return anyCommandAt(kFenceReturnPoint, latitude, longitude, Altitude(Metres(0), Frame::Global));
+  return anyCommandAt(kFenceReturnPoint, latitude, longitude, Altitude(Metres(0), CoordinateFrame::Global));
 }
 
 // --- Items of a rally plan: upload(points, PlanType::Rally).

@@ -43,7 +43,7 @@ constexpr MetresPerSecond operator"" _mps(unsigned long long value) {
 constexpr MetresPerSecond operator"" _mps(long double value) { return MetresPerSecond(static_cast<float>(value)); }
 
 // MAV_FRAME (MAVLink common messages): what the coordinates of an item mean.
-enum class Frame : uint8_t {
+enum class CoordinateFrame : uint8_t {
   Global = 0,             // altitude [m above mean sea level]
   Mission = 2,            // no coordinates: x, y and z are parameters 5 to 7
   GlobalRelative = 3,     // altitude [m above home]
@@ -54,10 +54,10 @@ enum class Frame : uint8_t {
 };
 
 // The current number of a frame whose number is deprecated: 0, 3 and 10 for 5, 6 and 11.
-MAVMISSION_APART inline Frame modern(Frame frame) {
-  if (frame == Frame::GlobalInt) return Frame::Global;
-  if (frame == Frame::GlobalRelativeInt) return Frame::GlobalRelative;
-  if (frame == Frame::GlobalTerrainInt) return Frame::GlobalTerrain;
+MAVMISSION_APART inline CoordinateFrame modern(CoordinateFrame frame) {
+  if (frame == CoordinateFrame::GlobalInt) return CoordinateFrame::Global;
+  if (frame == CoordinateFrame::GlobalRelativeInt) return CoordinateFrame::GlobalRelative;
+  if (frame == CoordinateFrame::GlobalTerrainInt) return CoordinateFrame::GlobalTerrain;
   return frame;
 }
 
@@ -65,29 +65,29 @@ MAVMISSION_APART inline Frame modern(Frame frame) {
 class Altitude {
  public:
   // Metres above home, or above the reference that `frame` names.
-  constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(Frame::GlobalRelative) {}
-  constexpr Altitude(Metres metres, Frame frame) : metres_(metres.value), frame_(frame) {}
+  constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(CoordinateFrame::GlobalRelative) {}
+  constexpr Altitude(Metres metres, CoordinateFrame frame) : metres_(metres.value), frame_(frame) {}
   // Any other type is refused when the sketch is compiled.
   template <typename Other>
-  constexpr Altitude(Other) : metres_(0), frame_(Frame::Global) {
+  constexpr Altitude(Other) : metres_(0), frame_(CoordinateFrame::Global) {
     static_assert(sizeof(Other) == 0, "write an altitude with its unit: 20_m, or Metres(height) for a computed one");
   }
   // The two values.
   constexpr float metres() const { return metres_; }
-  constexpr Frame frame() const { return frame_; }
+  constexpr CoordinateFrame frame() const { return frame_; }
 
  private:
   float metres_;
-  Frame frame_;
+  CoordinateFrame frame_;
 };
 
 // Above the place where the aircraft was armed or home was set: the same as plain metres.
-constexpr Altitude aboveHome(Metres metres) { return Altitude(metres, Frame::GlobalRelative); }
+constexpr Altitude aboveHome(Metres metres) { return Altitude(metres, CoordinateFrame::GlobalRelative); }
 // Above mean sea level (MSL), as maps and GPS receivers give it.
-constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame::Global); }
+constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, CoordinateFrame::Global); }
 // Above the ground below the aircraft. The autopilot needs terrain data; PX4 1.17 does not take it in a plan
 // (Status::BadFrame).
-constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
+constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, CoordinateFrame::GlobalTerrain); }
 
 // A heading [degrees from north, clockwise, -180 to 360], or unset, which is the default everywhere: the autopilot
 // chooses.

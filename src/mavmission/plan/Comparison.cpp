@@ -169,12 +169,12 @@ bool isKeptAs(uint16_t sent, uint16_t read) {
 }
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
-  const Frame found = modern(read.frame);
+  const CoordinateFrame found = modern(read.frame);
   if (found == modern(sent.frame)) return true;
-  // Items of a fence, which have no altitude, are read back with Frame::Global, whatever frame was sent. So are
-  // ArduPilot's items without a place.
-  if (found != Frame::Global) return false;
-  if (isByArduPilot(keeper) && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) return true;
+  // Items of a fence, which have no altitude, are read back with CoordinateFrame::Global, whatever frame was sent. So
+  // are ArduPilot's items without a place.
+  if (found != CoordinateFrame::Global) return false;
+  if (isByArduPilot(keeper) && (sent.frame == CoordinateFrame::Mission || rules.has(kHasNoPlace))) return true;
   return isByEither(keeper) && (keeper & kOfFence) != 0;
 }
 
@@ -187,7 +187,7 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
   if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
   uint32_t kinds = rules.bits;
   if (!isByEither(keeper) && !isByOwn(keeper)) kinds = 0;  // all fields are kept
-  if (isByPx4(keeper) && sent.frame == Frame::Mission) keeper |= kInFloats;
+  if (isByPx4(keeper) && sent.frame == CoordinateFrame::Mission) keeper |= kInFloats;
   const Four* wasSent = reinterpret_cast<const Four*>(&sent);
   const Four* wasRead = reinterpret_cast<const Four*>(&read);
   for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, kinds >>= 4) {

@@ -31,14 +31,15 @@ bool isBelow83km(float metres) {
 // Of a JUMP_TAG and of a DO_JUMP_TAG; 65535 for what is no tag, and no vehicle keeps.
 uint16_t tagOf(const MissionItem& item) { return static_cast<uint16_t>(wholeNumber(&item.param1)); }
 
-bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
+bool hasPlace(const MissionItem& item) { return item.frame != CoordinateFrame::Mission; }
 MAVMISSION_APART bool isAtZero(const MissionItem& item) { return (item.x | item.y) == 0; }
 bool isSomewhere(const MissionItem& item) { return hasPlace(item) && !isAtZero(item); }
 
 // True if the autopilot takes this frame, by its modern number, in an item with a place.
-bool isTakenBy(Firmware firmware, Frame frame) {
-  return has(firmware, kMayTakeAnyFrame) || frame == Frame::Global || frame == Frame::GlobalRelative ||
-         (frame == Frame::GlobalTerrain && has(firmware, kTakesTerrainFrames));
+bool isTakenBy(Firmware firmware, CoordinateFrame frame) {
+  return has(firmware, kMayTakeAnyFrame) || frame == CoordinateFrame::Global ||
+         frame == CoordinateFrame::GlobalRelative ||
+         (frame == CoordinateFrame::GlobalTerrain && has(firmware, kTakesTerrainFrames));
 }
 
 }  // namespace
@@ -156,7 +157,8 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
       // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
       // no home can be (ReadingPlan::compare()).
       // cppcheck-suppress memsetClassFloat ; a float of zero bits is 0 wherever there is an Arduino core
-      memset(&item, 0, sizeof(item));  // Frame::Global too; copying a constant item would cost RAM for that constant
+      memset(&item, 0,
+             sizeof(item));  // CoordinateFrame::Global too; copying a constant item would cost RAM for that constant
       item.command = kConditionDelay;
       item.autocontinue = 1;
       return Status::Accepted;
@@ -188,14 +190,14 @@ Status WirePlan::settle(uint16_t index, MissionItem& item) const {
     }
   }
   const Rules rules = rulesOf(item, keeper());
-  item.frame = rules.has(kHasNoPlace) ? Frame::Mission : modern(item.frame);
+  item.frame = rules.has(kHasNoPlace) ? CoordinateFrame::Mission : modern(item.frame);
   return check(item, rules);
 }
 
 void fromWire(MissionItem& item, Firmware firmware) {
   item.frame = modern(item.frame);
   const Rules rules = rulesOf(item, keeperOf(firmware, 0, PlanType::Mission));
-  if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
+  if (rules.has(kHasNoPlace)) item.frame = CoordinateFrame::Mission;
   item.current = 0;
   const bool isJump = item.command == kDoJump;
   if (has(firmware, kWantsRepeatsWithin16) && isJump && is(item.param2, k65535)) item.param2 = -1;

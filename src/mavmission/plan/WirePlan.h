@@ -83,7 +83,7 @@ bool hasHeight(const MissionItem& item);
 
 // The opposite conversion: turns a mission item, as the autopilot gave it, into the item that a sketch would have
 // written. Jump targets then count the sketch's items, deprecated frame numbers are replaced by current ones, an item
-// without a place has Frame::Mission, and a yaw that ArduPilot does not keep is NaN, "as you fly".
+// without a place has CoordinateFrame::Mission, and a yaw that ArduPilot does not keep is NaN, "as you fly".
 void fromWire(MissionItem& item, Firmware firmware);
 
 }  // namespace detail

@@ -53,7 +53,7 @@ MovingTarget::MovingTarget(Steering& steering, Other other)
       mode_(kNoMode),
       at_(),
       heightCm_(0),
-      frame_(Frame::Global),
+      frame_(CoordinateFrame::Global),
       status_(Status::Idle),
       toReturn_(Status::Idle),
       ending_(Status::Idle),
@@ -338,7 +338,7 @@ void MovingTarget::aimHere() {
   isAimed_ = !isBlind_ && steering_.isPositionKnown();
   at_ = steering_.here_;
   heightCm_ = isAboveSea ? steering_.seaCm_ : steering_.homeCm_;
-  frame_ = isAboveSea ? Frame::Global : Frame::GlobalRelative;
+  frame_ = isAboveSea ? CoordinateFrame::Global : CoordinateFrame::GlobalRelative;
 }
 
 // What is still going out is no longer true. (Twice would make it right again.)
@@ -365,7 +365,7 @@ void MovingTarget::send(uint16_t nowMs) {
                               MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_MIN_LEN, payload_};
   if (other_ == nullptr) {
     // PX4 looks at the frame of this message, and wants its older number.
-    const bool isAboveHome = frame_ == Frame::GlobalRelative;
+    const bool isAboveHome = frame_ == CoordinateFrame::GlobalRelative;
     const bool isFromHome = isAboveHome && has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
     float altitude = quotient(isFromHome ? heightCm_ + steering_.seaCm_ - steering_.homeCm_ : heightCm_, 1);
     multiply(&altitude, Times::Hundredth);
@@ -373,9 +373,10 @@ void MovingTarget::send(uint16_t nowMs) {
     message.lon_int = at_.longitude.e7();
     message.alt = altitude;
     message.type_mask = kPlaceAlone;
-    message.coordinate_frame = static_cast<uint8_t>(frame_ == Frame::GlobalTerrain ? Frame::GlobalTerrainInt
-                                                    : isAboveHome && !isFromHome   ? Frame::GlobalRelativeInt
-                                                                                   : Frame::GlobalInt);
+    message.coordinate_frame =
+        static_cast<uint8_t>(frame_ == CoordinateFrame::GlobalTerrain ? CoordinateFrame::GlobalTerrainInt
+                             : isAboveHome && !isFromHome             ? CoordinateFrame::GlobalRelativeInt
+                                                                      : CoordinateFrame::GlobalInt);
   }
   memcpy(payload_, &message, sizeof(payload_));
   if (other_ != nullptr) {

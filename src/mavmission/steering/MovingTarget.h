@@ -116,7 +116,7 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   uint16_t mode_;     // in which the aircraft follows
   LatLon at_;         // the target
   int32_t heightCm_;
-  Frame frame_;
+  CoordinateFrame frame_;
   Status status_;
   Status toReturn_;
   Status ending_;  // with which a hold ends

@@ -37,7 +37,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   change_.begin(kNoMode, kNoMode);
   beganS_ = 0;
   row_ = OrderRow{OrderMode::None, 0};
-  frame_ = Frame::Global;
+  frame_ = CoordinateFrame::Global;
   step_ = SteerStep::None;
   refusal_ = Status::Idle;
   landedState_ = MAV_LANDED_STATE_UNDEFINED;
@@ -65,7 +65,7 @@ Status Steering::takeOff(Metres aboveHome) {
   const Status status = begin(rowOf(Order::TakeOff));
   if (status == Status::Busy) return status;
   value_ = aboveHome.value;
-  frame_ = Frame::GlobalRelative;
+  frame_ = CoordinateFrame::GlobalRelative;
   wanted_.hasPlace = false;
   return status;
 }

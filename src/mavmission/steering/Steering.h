@@ -136,7 +136,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status refuseNumbers();
   Status refuseNumber(float value, ItemField field);
   Status refuseHeight(float metres, int32_t* cm);
-  Status refusePlace(const LatLon& at, Frame frame);
+  Status refusePlace(const LatLon& at, CoordinateFrame frame);
   Status refuseField(Status status, ItemField field);
   Status otherHands() const;
   Status whoFlies() const;
@@ -183,7 +183,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   uint16_t positionAgeS() const;
   bool isPositionKnown() const;
   void forgetShown();
-  bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
+  bool isRelative() const { return modern(frame_) == CoordinateFrame::GlobalRelative; }
   uint16_t wantedMode() const;
 
   // What the code asks for most often comes first, where avr-gcc reaches it cheaply.
@@ -201,7 +201,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isRequested_ : 1;   // by requestControl(), before any heartbeat has told the mode
   SteerStep step_;
   detail::OrderRow row_;  // of the running order, or of the last one
-  Frame frame_;
+  CoordinateFrame frame_;
   Status refusal_;            // with which a takeoff will end
   uint8_t landedState_;       // MAV_LANDED_STATE; 0: not known
   uint8_t targetAge_;         // heartbeats since the last POSITION_TARGET_GLOBAL_INT

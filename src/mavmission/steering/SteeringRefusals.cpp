@@ -73,7 +73,7 @@ Status Steering::refuseHeight(float metres, int32_t* cm) {
   return isOut ? refuseField(Status::BadAltitude, ItemField::Height) : Status::Transferring;
 }
 
-Status Steering::refusePlace(const LatLon& at, Frame frame) {
+Status Steering::refusePlace(const LatLon& at, CoordinateFrame frame) {
   const int32_t latitude = at.latitude.e7(), longitude = at.longitude.e7();
   if (!isNear(latitude, 0, 900000000)) return refuseField(Status::BadLatitude, ItemField::Latitude);
   if (longitude < -1800000000 || longitude > 1800000000) {
@@ -81,9 +81,9 @@ Status Steering::refusePlace(const LatLon& at, Frame frame) {
   }
   // ArduPilot refuses 0 N 0 E, and PX4 flies there.
   if (latitude == 0 && longitude == 0) return refuseField(Status::NeedsCoordinates, ItemField::Latitude);
-  const bool isTerrain = frame == Frame::GlobalTerrain;
+  const bool isTerrain = frame == CoordinateFrame::GlobalTerrain;
   const bool isTaken = isTerrain ? has(client_.autopilot().firmware(), kTakesTerrainFrames)
-                                 : frame == Frame::Global || frame == Frame::GlobalRelative;
+                                 : frame == CoordinateFrame::Global || frame == CoordinateFrame::GlobalRelative;
   return isTaken ? Status::Transferring : refuseField(Status::BadFrame, ItemField::Reference);
 }
 

@@ -157,10 +157,12 @@ void Steering::findWanted() {
     wanted_.at = here_;
     wanted_.heightCm = homeCm_;
     wanted_.hasPlace = true;
-    frame_ = Frame::GlobalRelative;
+    frame_ = CoordinateFrame::GlobalRelative;
   }
-  const bool isAboveSea = frame_ == Frame::Global || needsHome();
-  wanted_.above = isGround() || frame_ == Frame::GlobalTerrain ? Above::Nothing : isAboveSea ? Above::Sea : Above::Home;
+  const bool isAboveSea = frame_ == CoordinateFrame::Global || needsHome();
+  wanted_.above = isGround() || frame_ == CoordinateFrame::GlobalTerrain ? Above::Nothing
+                  : isAboveSea                                           ? Above::Sea
+                                                                         : Above::Home;
   if (needsHome()) wanted_.heightCm += seaCm_ - homeCm_;
 }
 
@@ -228,9 +230,9 @@ void Steering::fillCommand(FlightCommand& command) const {
   command.y = wanted_.at.longitude.e7();
   command.param7 = height;
   // The numbers that were recorded with ArduPilot; PX4 looks at none.
-  command.frame = frame_ == Frame::GlobalTerrain           ? Frame::GlobalTerrainInt
-                  : frame_ == Frame::Global || needsHome() ? Frame::Global
-                                                           : Frame::GlobalRelativeInt;
+  command.frame = frame_ == CoordinateFrame::GlobalTerrain           ? CoordinateFrame::GlobalTerrainInt
+                  : frame_ == CoordinateFrame::Global || needsHome() ? CoordinateFrame::Global
+                                                                     : CoordinateFrame::GlobalRelativeInt;
 }
 
 void Steering::lead(uint16_t from, uint16_t wanted) {

@@ -141,7 +141,7 @@ bool EepromPlan::readItem(uint16_t index, MissionItem& item) {
   for (uint8_t i = 0; i < kNumbers * kNumberBytes; ++i) {
     number[i] = (flags >> (i / kNumberBytes) & 1) != 0 ? readByte(address++) : 0;
   }
-  item.frame = static_cast<Frame>(frame & ~kCurrent);
+  item.frame = static_cast<CoordinateFrame>(frame & ~kCurrent);
   item.current = (frame & kCurrent) != 0;
   item.autocontinue = (flags & kAutocontinue) != 0;
   return true;

@@ -146,13 +146,13 @@ TextError WaypointsText::store() {
       if (whole > 11) return TextError::BadTextFrame;
       constexpr uint16_t kTaken = 1 << 0 | 1 << 2 | 1 << 3 | 1 << 5 | 1 << 6 | 1 << 10 | 1 << 11;
       if ((kTaken >> whole & 1) == 0) return TextError::BadTextFrame;
-      item_.frame = modern(static_cast<Frame>(whole));
+      item_.frame = modern(static_cast<CoordinateFrame>(whole));
       break;
     }
     case 4:
       if (whole > 0xFFFF) return TextError::TooLarge;
       item_.command = static_cast<uint16_t>(whole);
-      if (traitsOf(item_.command) & kHasNoPlace) item_.frame = Frame::Mission;
+      if (traitsOf(item_.command) & kHasNoPlace) item_.frame = CoordinateFrame::Mission;
       break;
     default:
       if (whole > 1) return TextError::NotZeroOrOne;
@@ -164,7 +164,7 @@ TextError WaypointsText::store() {
 
 // Latitude and longitude [1e-7 degrees], or param5 and param6 without coordinates: whole numbers on the wire.
 TextError WaypointsText::storePlace() {
-  const bool isPlace = item_.frame != Frame::Mission;
+  const bool isPlace = item_.frame != CoordinateFrame::Mission;
   if (decimal_.isNan()) return TextError::BadNumber;
   uint32_t magnitude;
   bool isExact;
@@ -201,7 +201,8 @@ WaypointsText::Step WaypointsText::endLine() {
   }
   bool isHome = false;
   if (isItem) {
-    if (item_.frame == Frame::Mission && (traitsOf(item_.command) & kMayLackReference) == 0 && hasHeight(item_)) {
+    if (item_.frame == CoordinateFrame::Mission && (traitsOf(item_.command) & kMayLackReference) == 0 &&
+        hasHeight(item_)) {
       field_ = 3;
       return fail(TextError::NoReference);
     }

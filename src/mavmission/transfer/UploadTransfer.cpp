@@ -5,7 +5,7 @@ namespace detail {
 
 void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers) {
   *this = UploadTransfer();  // all zero: state Counting, no item requested yet
-  behind_ = count;
+  end_ = count;
   item_ = 0xFFFF;  // the one before item 0
   send_ = Send::Count;
   suspicion_ = Status::Transferring;
@@ -18,13 +18,13 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (state_ == State::Counting && tries_ == 0) return Status::Transferring;
   // A request that skips items, or lies beyond the plan, answers nothing that we sent: an autopilot requests an item
   // only when it has the one before.
-  if (item >= behind_ && state_ != State::Counting) endOther();
-  if (item > most_ || item >= behind_ || item < first_) return Status::Transferring;
+  if (item >= end_ && state_ != State::Counting) endOther();
+  if (item > sentEnd_ || item >= end_ || item < first_) return Status::Transferring;
   // An autopilot does not go back in a transfer: a request for an item before the one that it has requested is late. If
   // it comes still, the autopilot has begun again.
-  if (item + 1u < asked_ && since(progressMs_, nowMs) < kLateRequestMs) return Status::Transferring;
+  if (item + 1u < requestedEnd_ && since(progressMs_, nowMs) < kLateRequestMs) return Status::Transferring;
   // The request that is heard decides, also where it goes back to an item that was taken for received.
-  asked_ = item + 1;
+  requestedEnd_ = item + 1;
   if (item == item_) {
     const uint16_t agoMs = since(sentMs_, nowMs);
     if (send_ == Send::Nothing && agoMs < pace.sameRequestMs()) return Status::Transferring;
@@ -47,8 +47,8 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
 
 // From now on this is the item that is sent, and sent again, until the autopilot is heard to have it.
 void UploadTransfer::moveTo(uint16_t item, uint16_t nowMs) {
-  isAgain_ = item < most_;
-  if (!isAgain_) most_ = item + 1;
+  isAgain_ = item < sentEnd_;
+  if (!isAgain_) sentEnd_ = item + 1;
   item_ = item;
   progressMs_ = nowMs;
   tries_ = 0;
@@ -67,9 +67,9 @@ void UploadTransfer::freeFirst() {
   note(kFreed);
   state_ = State::Counting;
   send_ = Send::Cancel;
-  asked_ = 0;
+  requestedEnd_ = 0;
   item_ = 0xFFFF;
-  most_ = 0;
+  sentEnd_ = 0;
   tries_ = 0;
 }
 
@@ -94,7 +94,7 @@ struct UploadTransfer::Now {
   // there, and the next request was lost. (That is not certain for the last item but one while an earlier transfer may
   // be answered: a newer ArduPilot answers so to every item until it has sent that transfer's acceptance.)
   bool isTaken() const {
-    const bool isLastButOne = transfer.item_ + 2u == transfer.behind_;
+    const bool isLastButOne = transfer.item_ + 2u == transfer.end_;
     return transfer.tries_ > 1 && transfer.send_ == Send::Nothing && !(isLastButOne && transfer.has(kFromOpen)) &&
            pace.isBehind(since(transfer.startedMs_, ms));
   }
@@ -104,7 +104,7 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
   // An answer to something earlier: nothing of this upload has been sent yet.
   if (state_ == State::Counting && tries_ == 0) return Status::Transferring;
   Status status = fromMissionResult(result);
-  if (status == Status::Accepted && state_ != State::Confirming && behind_ != first_) status = Status::AcceptedEarly;
+  if (status == Status::Accepted && state_ != State::Confirming && end_ != first_) status = Status::AcceptedEarly;
   switch (verdictOf(state_, status, firmware_, Now{*this, pace, nowMs})) {
     case Verdict::Ends: return status;
     case Verdict::GivenUp: return Status::TimedOut;
@@ -145,10 +145,10 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   send_ = Send::Item;
   // The autopilot may have that item, and its request for the next one was lost. Where it says nothing to an item that
   // it has, and answers come soon, it gets the two in turn after some copies, but the last of the plan not so.
-  if (detail::has(firmware_, kIgnoresOtherItems) && tries_ >= kCopies && (tries_ & 1) == 0 && item_ + 2u < behind_ &&
+  if (detail::has(firmware_, kIgnoresOtherItems) && tries_ >= kCopies && (tries_ & 1) == 0 && item_ + 2u < end_ &&
       pace.isNear()) {
     send_ = Send::NextItem;
-    most_ = item_ + 2;
+    sentEnd_ = item_ + 2;
   }
   return Status::Transferring;
 }
@@ -160,7 +160,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
   }
   if (send_ == Send::Count) {
     if (tries_ == 0) progressMs_ = nowMs;
-  } else if (state_ != State::Confirming && item_ + 1u == behind_) {
+  } else if (state_ != State::Confirming && item_ + 1u == end_) {
     state_ = State::Confirming;
     suspicion_ = Status::Transferring;
   }

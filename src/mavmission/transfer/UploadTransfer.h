@@ -34,13 +34,13 @@ class UploadTransfer : public UploadRules {
   // kFromBusy, kFromBefore.
   void begin(uint16_t count, Firmware firmware, uint8_t leftovers);
 
-  // Limits the upload to wire items `first` to `behind` - 1, for a part of a plan. To be called right after begin().
-  void limitTo(uint16_t first, uint16_t behind) {
+  // Limits the upload to wire items `first` to `end` - 1, for a part of a plan. To be called right after begin().
+  void limitTo(uint16_t first, uint16_t end) {
     first_ = first;
-    asked_ = first;
-    most_ = first;
+    requestedEnd_ = first;
+    sentEnd_ = first;
     item_ = first - 1;
-    behind_ = behind;
+    end_ = end;
   }
 
   // The inputs: the messages that have been received, and the time. Each returns Status::Transferring while the upload
@@ -71,10 +71,10 @@ class UploadTransfer : public UploadRules {
   bool isProven() const { return isProven_; }
   // The number of the item after the one that the autopilot has requested last. The autopilot holds all items before
   // that one.
-  uint16_t itemsAskedFor() const { return asked_; }
+  uint16_t itemsAskedFor() const { return requestedEnd_; }
   // The item after the one that the autopilot waits for. While expectsRequest(), it may be packed in advance.
   uint16_t nextItem() const { return item_ + 1; }
-  bool expectsRequest() const { return state_ != State::Confirming && nextItem() < behind_; }
+  bool expectsRequest() const { return state_ != State::Confirming && nextItem() < end_; }
   // The current item: a refusal is about this item, unless it may be about the next one.
   uint16_t lastItem() const { return item_; }
   bool isLastItemRefused() const { return tries_ <= kCopies || !detail::has(firmware_, kIgnoresOtherItems); }
@@ -91,10 +91,10 @@ class UploadTransfer : public UploadRules {
   uint16_t sentMs_;
   uint16_t startedMs_;  // when COUNT, or the current item, was sent first
   uint16_t first_;
-  uint16_t behind_;
-  uint16_t asked_;  // the item after the one that was requested last
-  uint16_t most_;   // the item after the last one that was sent
-  uint16_t item_;   // the item that the autopilot waits for, as far as is known; first_ - 1 before the first request
+  uint16_t end_;
+  uint16_t requestedEnd_;  // the item after the one that was requested last
+  uint16_t sentEnd_;       // the item after the last one that was sent
+  uint16_t item_;  // the item that the autopilot waits for, as far as is known; first_ - 1 before the first request
   State state_;
   Send send_;
   uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the current one is current

@@ -21,7 +21,8 @@ constexpr Firmware kThis = kIsBetaflight ? Firmware::Betaflight : Firmware::Inav
 constexpr Firmware kTheOther = kIsBetaflight ? Firmware::Inav : Firmware::Betaflight;
 constexpr uint8_t kCopter = 2;
 
-Rules rulesOfCommand(uint16_t command, PlanType type = PlanType::Mission, Frame frame = Frame::Global) {
+Rules rulesOfCommand(uint16_t command, PlanType type = PlanType::Mission,
+                     CoordinateFrame frame = CoordinateFrame::Global) {
   MissionItem item{};
   item.command = command;
   item.frame = frame;
@@ -71,7 +72,8 @@ TEST_CASE("the other of the two has no traits and no table here, and those that 
 TEST_CASE("of all commands those of its table are taken, whatever the frame says") {
   const std::set<uint16_t> taken =
       kIsBetaflight ? std::set<uint16_t>{16, 19, 21, 22} : std::set<uint16_t>{16, 19, 20, 21, 115, 177, 201};
-  for (const Frame frame : {Frame::Global, Frame::GlobalRelative, Frame::Mission}) {
+  for (const CoordinateFrame frame :
+       {CoordinateFrame::Global, CoordinateFrame::GlobalRelative, CoordinateFrame::Mission}) {
     for (uint32_t command = 0; command <= 65535; ++command) {
       const uint16_t one = static_cast<uint16_t>(command);
       const bool isTaken = !rulesOfCommand(one, PlanType::Mission, frame).has(kIsNotTaken);
@@ -127,7 +129,7 @@ TEST_CASE("iNav's headings are 0 to 359, and its regions of interest have a plac
     CAPTURE(one.param1);
     MissionItem item{};
     item.command = one.command;
-    item.frame = Frame::GlobalRelative;
+    item.frame = CoordinateFrame::GlobalRelative;
     item.autocontinue = 1;
     item.param1 = one.param1;
     const Keeper keeper = keeperOf(kThis, kCopter, PlanType::Mission);
@@ -141,7 +143,7 @@ TEST_CASE(
     "a height may come back as the number next to it, a yaw as any number; an item at which it stops is not kept") {
   MissionItem sent{};
   sent.command = 16;
-  sent.frame = Frame::GlobalRelative;
+  sent.frame = CoordinateFrame::GlobalRelative;
   sent.autocontinue = 1;
   sent.x = 473977420;
   sent.z = 50.1f;
@@ -161,7 +163,7 @@ TEST_CASE(
   read.x += 1;
   CHECK((found(read) == ItemField::Latitude));
   read = sent;
-  read.frame = Frame::Global;
+  read.frame = CoordinateFrame::Global;
   CHECK((found(read) == ItemField::Reference));
   read = sent;
   read.autocontinue = 0;

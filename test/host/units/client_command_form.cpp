@@ -22,9 +22,9 @@ Value valueAt(const SentFrame& frame, size_t at) {
   return value;
 }
 
-// A command without a place goes out as COMMAND_LONG; with a place, which Frame::Mission makes two numbers, as
-// COMMAND_INT.
-FlightCommand withNumbers(uint16_t id, int32_t x, int32_t y, Frame frame = Frame::Mission) {
+// A command without a place goes out as COMMAND_LONG; with a place, which CoordinateFrame::Mission makes two numbers,
+// as COMMAND_INT.
+FlightCommand withNumbers(uint16_t id, int32_t x, int32_t y, CoordinateFrame frame = CoordinateFrame::Mission) {
   FlightCommand command = flightCommand(id, 1.5f, 2.5f, 3.5f, 4.5f, 0, 0, 7.5f);
   command.hasPlace = true;
   command.frame = frame;
@@ -77,7 +77,7 @@ TEST_CASE("a command of numbers goes out as COMMAND_INT where the autopilot take
       CHECK(valueAt<uint16_t>(frame, 28) == kId);
       CHECK(frame.payload[30] == 1);  // for the autopilot
       CHECK(frame.payload[31] == 1);
-      CHECK(frame.payload[32] == static_cast<uint8_t>(Frame::Mission));
+      CHECK(frame.payload[32] == static_cast<uint8_t>(CoordinateFrame::Mission));
       CHECK(frame.payload[33] == 0);
       CHECK(frame.payload[34] == 0);
       desk.answer(0);
@@ -118,7 +118,8 @@ TEST_CASE("an integer that no float holds does not fit into COMMAND_LONG, and ne
   CHECK((Ordering(withNumbers(kId, 16777217, 1)).refusal(kLongOnly) == Status::CommandLongOnly));
   CHECK((Ordering(withNumbers(kId, 1, 16777217)).refusal(kLongOnly) == Status::CommandLongOnly));
   CHECK((Ordering(withNumbers(kId, 16777217, 16777217)).refusal(kLongOnly) == Status::CommandLongOnly));
-  CHECK((Ordering(withNumbers(kId, 1, 1, Frame::GlobalRelative)).refusal(kLongOnly) == Status::CommandLongOnly));
+  CHECK((Ordering(withNumbers(kId, 1, 1, CoordinateFrame::GlobalRelative)).refusal(kLongOnly) ==
+         Status::CommandLongOnly));
 }
 
 TEST_CASE("no other refusal is answered by the other form") {

@@ -139,7 +139,7 @@ TEST_CASE("a command with a place is a COMMAND_INT") {
   CHECK(valueAt<int32_t>(frame, 20) == 1491652374);
   CHECK(valueAt<float>(frame, 24) == 20);
   CHECK(valueAt<uint16_t>(frame, 28) == kVideo);
-  CHECK(frame.payload[32] == static_cast<uint8_t>(Frame::GlobalRelative));
+  CHECK(frame.payload[32] == static_cast<uint8_t>(CoordinateFrame::GlobalRelative));
   CHECK(frame.payload[33] == 0);
   CHECK(frame.payload[34] == 0);
   desk.answer(kVideo, kAccepted);

@@ -89,7 +89,7 @@ TEST_CASE("a plan comes item by item, with the sketch's numbers and ArduPilot's 
   CHECK(to.taken[1].item.x == kPlan[0].x);
   CHECK(to.taken[1].item.y == kPlan[0].y);
   CHECK(to.taken[1].item.z == 20);
-  CHECK((to.taken[1].item.frame == Frame::GlobalRelative));
+  CHECK((to.taken[1].item.frame == CoordinateFrame::GlobalRelative));
   CHECK(to.taken[1].item.autocontinue == 1);
   CHECK(to.taken[1].item.current == 0);
   CHECK(to.taken[2].index == 1);

@@ -184,7 +184,7 @@ TEST_CASE("in a read-back a height, and what it counts from, must be those of th
       desk.tell(ackParts(kAccepted));
       desk.tell(countParts(2));
       MissionItem item = kPlan[0];
-      if (isReference) item.frame = Frame::Global;
+      if (isReference) item.frame = CoordinateFrame::Global;
       if (!isReference) item.z = 21;
       desk.tell(itemParts(0, item));
       CHECK((desk.ended == Status::Differs));

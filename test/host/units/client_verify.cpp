@@ -165,7 +165,7 @@ TEST_CASE("autocontinue is compared") {
 TEST_CASE("ArduPilot's home is a waypoint above sea level, and nothing else is home") {
   MissionItem other = homeItem(), relative = homeItem();
   other.command = kNavLoiterUnlimited;
-  relative.frame = Frame::GlobalRelative;
+  relative.frame = CoordinateFrame::GlobalRelative;
   for (const MissionItem& item : {other, relative}) {
     Verifying desk(ClientOnLine::kArduPilot);
     desk.tellCount();

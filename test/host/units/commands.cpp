@@ -33,7 +33,7 @@ TEST_CASE("each maker of an item without a place makes one that is known to have
                                regionOfInterestOff(), turnTo(90_deg)};
   for (const MissionItem& item : items) {
     CAPTURE(item.command);
-    CHECK((item.frame == Frame::Mission));
+    CHECK((item.frame == CoordinateFrame::Mission));
     CHECK((traitsOf(item.command) & kHasNoPlace) != 0);
   }
 }
@@ -100,7 +100,8 @@ TEST_CASE("a command that a vehicle was recorded to take is not refused for it, 
 TEST_CASE("a command that was taken with a place is not sent without one") {
   unsigned places = 0;
   for (const RecordedItem& row : recordedItems()) {
-    const bool isPlace = row.isRead && row.sent.frame != Frame::Mission && (row.read.x > 65535 || row.read.x < -65535);
+    const bool isPlace =
+        row.isRead && row.sent.frame != CoordinateFrame::Mission && (row.read.x > 65535 || row.read.x < -65535);
     if (!isPlace) continue;
     ++places;
     REQUIRE_FALSE(rulesOf(row.sent, row.keeper).has(kHasNoPlace));

@@ -51,7 +51,8 @@ struct Wrong {
 constexpr Keeper kCopter = kByArduPilot, kPlane = kByArduPilot | kByPlane;
 
 // Of a command with a place, or in PX4's frame without one: one field and its bits.
-bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits, Frame frame = Frame::GlobalRelative) {
+bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits,
+            CoordinateFrame frame = CoordinateFrame::GlobalRelative) {
   MissionItem item = anyCommandAt(command, Degrees::fromE7(128), Degrees::fromE7(64), 20_m);
   item.frame = frame;
   setBits(item, index, bits);
@@ -150,7 +151,7 @@ TEST_CASE("of several differences the first in the order of the message is told"
   CHECK((difference(sent, read, 0) == ItemField::Param2));
   read.param1 = 7;
   CHECK((difference(sent, read, 0) == ItemField::Param1));
-  read.frame = Frame::Global;
+  read.frame = CoordinateFrame::Global;
   CHECK((difference(sent, read, 0) == ItemField::Reference));
   read.command = 17;
   CHECK((difference(sent, read, 0) == ItemField::Command));
@@ -246,20 +247,21 @@ TEST_CASE("autocontinue may be 1 in a mission from ArduPilot, is of no account i
 }
 
 TEST_CASE("a frame may come back by its other number, or as Global where there is no height") {
-  const Frame frames[] = {Frame::Global,          Frame::Mission,           Frame::GlobalRelative,
-                          Frame::GlobalInt,       Frame::GlobalRelativeInt, Frame::GlobalTerrain,
-                          Frame::GlobalTerrainInt};
-  const auto number = [](Frame frame) {
-    return frame == Frame::GlobalInt           ? Frame::Global
-           : frame == Frame::GlobalRelativeInt ? Frame::GlobalRelative
-           : frame == Frame::GlobalTerrainInt  ? Frame::GlobalTerrain
-                                               : frame;
+  const CoordinateFrame frames[] = {
+      CoordinateFrame::Global,          CoordinateFrame::Mission,           CoordinateFrame::GlobalRelative,
+      CoordinateFrame::GlobalInt,       CoordinateFrame::GlobalRelativeInt, CoordinateFrame::GlobalTerrain,
+      CoordinateFrame::GlobalTerrainInt};
+  const auto number = [](CoordinateFrame frame) {
+    return frame == CoordinateFrame::GlobalInt           ? CoordinateFrame::Global
+           : frame == CoordinateFrame::GlobalRelativeInt ? CoordinateFrame::GlobalRelative
+           : frame == CoordinateFrame::GlobalTerrainInt  ? CoordinateFrame::GlobalTerrain
+                                                         : frame;
   };
   for (const Firmware firmware : kFirmwares) {
     for (const PlanType type : kTypes) {
       for (const uint16_t command : {uint16_t(16), uint16_t(178)}) {  // with a place, and without
-        for (const Frame was : frames) {
-          for (const Frame is : frames) {
+        for (const CoordinateFrame was : frames) {
+          for (const CoordinateFrame is : frames) {
             MissionItem sent = here();
             sent.command = command;
             sent.frame = was;
@@ -267,9 +269,10 @@ TEST_CASE("a frame may come back by its other number, or as Global where there i
             MissionItem read = sent;
             read.frame = is;
             const bool isArduPilot = firmware == Firmware::ArduPilot;
-            const bool hasNoHeight = isArduPilot ? type == PlanType::Fence || was == Frame::Mission || command == 178
-                                                 : firmware == Firmware::Px4 && type == PlanType::Fence;
-            const bool isRight = number(was) == number(is) || (number(is) == Frame::Global && hasNoHeight);
+            const bool hasNoHeight = isArduPilot
+                                         ? type == PlanType::Fence || was == CoordinateFrame::Mission || command == 178
+                                         : firmware == Firmware::Px4 && type == PlanType::Fence;
+            const bool isRight = number(was) == number(is) || (number(is) == CoordinateFrame::Global && hasNoHeight);
             CAPTURE(static_cast<int>(firmware));
             CAPTURE(static_cast<int>(type));
             CAPTURE(static_cast<int>(was));
@@ -384,7 +387,7 @@ TEST_CASE("a region of interest has a mode that PX4 takes: none or a place, or w
     CAPTURE(mode);
     const uint32_t bits = bitsOf(static_cast<float>(mode));
     CHECK(isKept(kByPx4, 201, 0, bits) == (mode == 0 || mode == 3));
-    CHECK(isKept(kByPx4, 201, 0, bits, Frame::Mission) == (mode <= 2));
+    CHECK(isKept(kByPx4, 201, 0, bits, CoordinateFrame::Mission) == (mode <= 2));
   }
 }
 
@@ -399,7 +402,7 @@ TEST_CASE("PX4 keeps a whole number of corners of a fence, and any radius of a c
 
 TEST_CASE("every number of a command that is not in the table is kept as it is, with a place and without") {
   for (const Keeper keeper : {kCopter, kPlane, Keeper(kByPx4)}) {
-    for (const Frame frame : {Frame::Mission, Frame::GlobalRelative}) {
+    for (const CoordinateFrame frame : {CoordinateFrame::Mission, CoordinateFrame::GlobalRelative}) {
       for (unsigned index = 0; index < 4; ++index) {
         MissionItem sent = here();
         sent.command = 31337;

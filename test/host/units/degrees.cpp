@@ -59,9 +59,9 @@ TEST_CASE("a heading is in degrees, and one that is not given is NaN") {
 }
 
 TEST_CASE("an altitude says what it is measured from") {
-  CHECK(Altitude(20_m).frame() == Frame::GlobalRelative);
-  CHECK(aboveHome(20_m).frame() == Frame::GlobalRelative);
-  CHECK(aboveSeaLevel(20_m).frame() == Frame::Global);
-  CHECK(aboveTerrain(20_m).frame() == Frame::GlobalTerrain);
+  CHECK(Altitude(20_m).frame() == CoordinateFrame::GlobalRelative);
+  CHECK(aboveHome(20_m).frame() == CoordinateFrame::GlobalRelative);
+  CHECK(aboveSeaLevel(20_m).frame() == CoordinateFrame::Global);
+  CHECK(aboveTerrain(20_m).frame() == CoordinateFrame::GlobalTerrain);
   CHECK(aboveTerrain(20.5_m).metres() == 20.5f);
 }

@@ -205,7 +205,7 @@ TEST_CASE("what is refused by goTo() is refused by start(), and told by update()
     Status status;
   } kCases[] = {{{0_deg, 0_deg}, 20_m, Status::NeedsCoordinates},
                 {kPlace, 10001_m, Status::BadAltitude},
-                {kPlace, Altitude(20_m, Frame::Mission), Status::BadFrame}};
+                {kPlace, Altitude(20_m, CoordinateFrame::Mission), Status::BadFrame}};
   for (const auto& one : kCases) {
     Follower copter(ClientOnLine::kArduPilot);
     copter.inMission();
@@ -262,7 +262,7 @@ TEST_CASE("a renewal with a number that cannot be meant does not count, and name
     CHECK((copter.target.renew(one.place, one.altitude) == one.status));
     CHECK((copter.client.differingField() == one.field));
   }
-  CHECK((copter.target.renew(kOther, Altitude(21_m, Frame::GlobalRelativeInt)) == Status::Transferring));
+  CHECK((copter.target.renew(kOther, Altitude(21_m, CoordinateFrame::GlobalRelativeInt)) == Status::Transferring));
   copter.pass(205);
   CHECK(copter.last() == "-353620000 1491650000 21 6");
   CHECK((copter.target.renew(kPlace, 10001_m) == Status::BadAltitude));

@@ -262,7 +262,7 @@ TEST_CASE("a plan is downloaded as a file, home apart") {
   CHECK(sink.numbers == std::vector<uint16_t>{kHomeIndex, 0, 1, 2, 3});
   CHECK(int32_t{sink.items[3].x} == -353642621);
   CHECK(float{sink.items[3].z} == 30.0f);
-  CHECK((sink.items[3].frame == Frame::GlobalRelative));
+  CHECK((sink.items[3].frame == CoordinateFrame::GlobalRelative));
   CHECK(sink.items[3].autocontinue == 1);
   CHECK(sink.items[3].current == 0);
   CHECK(pilot.client.itemsDone() == 4);

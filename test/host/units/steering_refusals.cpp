@@ -101,13 +101,15 @@ TEST_CASE("only ArduPilot takes an altitude above the ground; other frames are t
     Flying flying(firmware);
     CHECK(flying.takesPlace(kPlace, aboveHome(20_m)));
     CHECK(flying.takesPlace(kPlace, aboveSeaLevel(620_m)));
-    CHECK(flying.takesPlace(kPlace, Altitude(20_m, Frame::GlobalRelativeInt)));
-    CHECK(flying.takesPlace(kPlace, Altitude(620_m, Frame::GlobalInt)));
-    CHECK(flying.refusesPlace(kPlace, Altitude(20_m, Frame::Mission), Status::BadFrame, ItemField::Reference));
-    CHECK(flying.refusesPlace(kPlace, Altitude(20_m, static_cast<Frame>(1)), Status::BadFrame, ItemField::Reference));
+    CHECK(flying.takesPlace(kPlace, Altitude(20_m, CoordinateFrame::GlobalRelativeInt)));
+    CHECK(flying.takesPlace(kPlace, Altitude(620_m, CoordinateFrame::GlobalInt)));
+    CHECK(
+        flying.refusesPlace(kPlace, Altitude(20_m, CoordinateFrame::Mission), Status::BadFrame, ItemField::Reference));
+    CHECK(flying.refusesPlace(kPlace, Altitude(20_m, static_cast<CoordinateFrame>(1)), Status::BadFrame,
+                              ItemField::Reference));
     if (firmware == ClientOnLine::kArduPilot) {
       CHECK(flying.takesPlace(kPlace, aboveTerrain(20_m)));
-      CHECK(flying.takesPlace(kPlace, Altitude(20_m, Frame::GlobalTerrainInt)));
+      CHECK(flying.takesPlace(kPlace, Altitude(20_m, CoordinateFrame::GlobalTerrainInt)));
     } else {
       CHECK(flying.refusesPlace(kPlace, aboveTerrain(20_m), Status::BadFrame, ItemField::Reference));
     }

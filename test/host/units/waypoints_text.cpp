@@ -120,7 +120,7 @@ TEST_CASE("each field of a line comes to its place in the item") {
   CHECK(item.y == 1491652374);
   CHECK(item.z == -20.5f);
   CHECK(item.command == 16);
-  CHECK((item.frame == static_cast<Frame>(10)));
+  CHECK((item.frame == static_cast<CoordinateFrame>(10)));
   CHECK(item.current == 1);
   CHECK(item.autocontinue == 0);
 }
@@ -230,7 +230,7 @@ TEST_CASE("of the frames those of MISSION_ITEM and MISSION_ITEM_INT are taken th
     const Read found = read(withField(3, one.text, "189"));  // which may be in each
     // Without a place, -35 and 149 are whole numbers.
     REQUIRE((found.error == TextError::None));
-    CHECK((found.items[0].frame == static_cast<Frame>(one.frame)));
+    CHECK((found.items[0].frame == static_cast<CoordinateFrame>(one.frame)));
   }
   for (const char* text : {"1", "4", "7", "8", "9", "12", "16", "18", "19", "32", "258"}) {
     CHECK((errorOf(3, text) == TextError::BadTextFrame));
@@ -241,7 +241,7 @@ TEST_CASE("of the frames those of MISSION_ITEM and MISSION_ITEM_INT are taken th
   }
   CHECK(isRefused(withField(3, "2").replace(withField(3, "2").rfind("149"), 3, "149.5"), TextError::NoReference, 3, 3));
   // A command without a place has no frame, whatever the file says.
-  CHECK((itemWith(3, "3", "20").frame == Frame::Mission));
+  CHECK((itemWith(3, "3", "20").frame == CoordinateFrame::Mission));
 }
 
 TEST_CASE("a command is a number of 16 bits") {

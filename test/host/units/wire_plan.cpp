@@ -70,7 +70,7 @@ TEST_CASE("ArduPilot gets home before the plan, the others do not") {
     CHECK((plan.read(0, item) == Status::Accepted));
     CHECK(item.command == (isArduPilot ? 112 : kNavWaypoint));  // CONDITION_DELAY: no home can be that
     CHECK(item.x == (isArduPilot ? 0 : kHere.x));
-    CHECK((item.frame == (isArduPilot ? Frame::Global : Frame::GlobalRelative)));
+    CHECK((item.frame == (isArduPilot ? CoordinateFrame::Global : CoordinateFrame::GlobalRelative)));
   }
 }
 
@@ -257,7 +257,7 @@ TEST_CASE("PX4 gets DO_AUTOTUNE_ENABLE, which newer ones take") {
   MissionItem item = anyCommand(212, 1, 2), sent;
   Plan plan({item}, Firmware::Px4);
   REQUIRE((plan.read(0, sent) == Status::Accepted));
-  CHECK((sent.frame == Frame::Mission));
+  CHECK((sent.frame == CoordinateFrame::Mission));
   CHECK(sent.param1 == 1.f);
   CHECK(sent.param2 == 2.f);
 }
@@ -290,7 +290,7 @@ TEST_CASE("a jump counts the sketch's items: with home before them it goes one f
     REQUIRE((plan.read(static_cast<uint16_t>(plan.wire.wireCount() - 1), item) == Status::Accepted));
     CHECK(item.param1 == (firmware == Firmware::ArduPilot ? 2.f : 1.f));
     CHECK(item.param2 == 2.f);
-    CHECK((item.frame == Frame::Mission));
+    CHECK((item.frame == CoordinateFrame::Mission));
   }
   Plan raw({kHere, kHere, jump(1, 2)}, Firmware::ArduPilot, true);
   REQUIRE((raw.read(2, item) == Status::Accepted));
@@ -301,17 +301,18 @@ TEST_CASE("an item without a place goes out in the frame that both autopilots ta
   MissionItem item;
   for (Firmware firmware : kAll) {
     MissionItem speed = changeSpeed(5_mps);
-    for (Frame frame : {Frame::Global, Frame::Mission, Frame::GlobalRelative, Frame::GlobalInt}) {
+    for (CoordinateFrame frame : {CoordinateFrame::Global, CoordinateFrame::Mission, CoordinateFrame::GlobalRelative,
+                                  CoordinateFrame::GlobalInt}) {
       speed.frame = frame;
       Plan plan({kHere, speed}, firmware);
       REQUIRE((plan.read(static_cast<uint16_t>(plan.wire.wireCount() - 1), item) == Status::Accepted));
-      CHECK((item.frame == Frame::Mission));
+      CHECK((item.frame == CoordinateFrame::Mission));
     }
   }
 }
 
 TEST_CASE("an altitude above the ground is refused for PX4, and a frame without a name for both") {
-  for (Frame frame : {Frame::GlobalTerrain, Frame::GlobalTerrainInt}) {
+  for (CoordinateFrame frame : {CoordinateFrame::GlobalTerrain, CoordinateFrame::GlobalTerrainInt}) {
     MissionItem item = kHere;
     item.frame = frame;
     CHECK((check(item, Firmware::Px4) == Status::BadFrame));
@@ -320,7 +321,7 @@ TEST_CASE("an altitude above the ground is refused for PX4, and a frame without 
   }
   for (unsigned number : {1u, 4u, 7u, 9u, 12u, 20u, 255u}) {
     MissionItem item = kHere;
-    item.frame = static_cast<Frame>(number);
+    item.frame = static_cast<CoordinateFrame>(number);
     CHECK((check(item, Firmware::Px4) == Status::BadFrame));
     CHECK((check(item, Firmware::ArduPilot) == Status::BadFrame));
     CHECK((check(item, Firmware::Other) == Status::Accepted));
@@ -459,7 +460,7 @@ TEST_CASE("the height of a fence is nothing that ArduPilot looks at") {
 
 TEST_CASE("rally points and fences without a place are refused") {
   MissionItem point = rallyPoint(1_deg, 1_deg, 20_m), corner = fenceInsideCircle(1_deg, 1_deg, 20_m);
-  point.frame = corner.frame = Frame::Mission;
+  point.frame = corner.frame = CoordinateFrame::Mission;
   for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
     CHECK((Plan({point}, firmware, false, PlanType::Rally).last() == Status::NeedsCoordinates));
     CHECK((Plan({corner}, firmware, false, PlanType::Fence).last() == Status::NeedsCoordinates));
@@ -505,19 +506,19 @@ TEST_CASE("an item from the wire is the one that a sketch would have written") {
   for (const Firmware firmware : kAll) {
     const bool isArduPilot = firmware == Firmware::ArduPilot;
     MissionItem item = kHere;
-    item.frame = Frame::GlobalRelativeInt;
+    item.frame = CoordinateFrame::GlobalRelativeInt;
     item.param4 = 45;
     item.current = 1;
     fromWire(item, firmware);
-    CHECK((item.frame == Frame::GlobalRelative));
+    CHECK((item.frame == CoordinateFrame::GlobalRelative));
     CHECK(item.current == 0);
     CHECK((item.param4 != item.param4) == isArduPilot);
     if (!isArduPilot) CHECK(item.param4 == 45.f);
     item = changeSpeed(5_mps);
-    item.frame = Frame::Global;
+    item.frame = CoordinateFrame::Global;
     const MissionItem speed = item;
     fromWire(item, firmware);
-    CHECK((item.frame == Frame::Mission));
+    CHECK((item.frame == CoordinateFrame::Mission));
     CHECK(item.param1 == speed.param1);
     CHECK(item.param4 == speed.param4);
     item = jump(3, 2);
@@ -620,7 +621,7 @@ TEST_CASE("home is item 0 of the smallest plan too, above sea level, and is gone
   MissionItem item;
   memset(static_cast<void*>(&item), 0xFF, sizeof(item));
   REQUIRE((plan.read(0, item) == Status::Accepted));
-  CHECK((item.frame == Frame::Global));
+  CHECK((item.frame == CoordinateFrame::Global));
   CHECK(item.autocontinue == 1);
 }
 
@@ -630,7 +631,8 @@ TEST_CASE("home is no item to jump to, where the sketch's own numbers count it")
 }
 
 TEST_CASE("each frame of a place above sea level or above home is taken by both, and leaves by its newer number") {
-  for (const Frame frame : {Frame::Global, Frame::GlobalRelative, Frame::GlobalInt, Frame::GlobalRelativeInt}) {
+  for (const CoordinateFrame frame : {CoordinateFrame::Global, CoordinateFrame::GlobalRelative,
+                                      CoordinateFrame::GlobalInt, CoordinateFrame::GlobalRelativeInt}) {
     MissionItem item = kHere;
     item.frame = frame;
     for (const Firmware firmware : kAll) {
