@@ -43,7 +43,7 @@ bool printItem(void*, uint16_t index, const MissionItem& item) {
   CONSOLE.print(item.z);
   CONSOLE.println(item.frame == CoordinateFrame::GlobalRelative ? F(" m above home")
                   : item.frame == CoordinateFrame::Global       ? F(" m above sea level")
-                                                      : F(" m above the ground"));
+                                                                : F(" m above the ground"));
   return true;
 }
 
