@@ -12,7 +12,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 OUTPUT = HERE.parent.parent / "build" / "mega"
-SOURCES = ("mega.c", "quick.c", "compare.c", "eeprom.c", "usart.c", "ear.c", "measure.c")
+SOURCES = ("mega.c", "quick.c", "idle.c", "compare.c", "eeprom.c", "usart.c", "ear.c", "measure.c")
 
 REACHED, SENT, CRASHED, HALTED = range(4)
 

@@ -33,6 +33,8 @@ static void start(mega_t* mega, int cause) {
   if (cause == EXTERNAL) avr_regbit_set(avr, avr->reset_flags.extrf);
   for (int n = 0; n < PORTS; n++) usart_reset(&mega->ports[n]);
   mega->asleep = false;
+  mega->idle.pc = IDLE_ANYWHERE;
+  idle_forget(mega);
   mega->eeprom_address = -1;
   if (mega->measure != NULL) measure_reset(mega);
 }
@@ -63,6 +65,7 @@ mega_t* mega_new(const char* mcu, uint32_t hz) {
   mega->lowest_sp = avr->ramend;
   usart_attach(mega);
   eeprom_attach(mega);
+  idle_attach(mega);
   /* SRAM holds noise at power-on; firmware must not count on zeros. */
   uint32_t noise = 2463534242u;
   for (uint32_t at = avr->ioend + 1u; at <= avr->ramend; at++) {
@@ -96,6 +99,7 @@ int mega_load(mega_t* mega, const uint8_t* code, uint32_t size, uint32_t address
   memcpy(avr->flash + address, code, size);
   free(mega->decoded);
   mega->decoded = NULL;
+  idle_forget(mega);
   if (avr->codeend < address + size) avr->codeend = address + size;
   return 0;
 }
@@ -124,6 +128,7 @@ int mega_read(mega_t* mega, uint32_t address, uint32_t size, uint8_t* to) {
 int mega_write(mega_t* mega, uint32_t address, uint32_t size, const uint8_t* from) {
   if ((uint64_t)address + size > mega->avr->ramend + 1u) return -1;
   memcpy(mega->avr->data + address, from, size);
+  idle_forget(mega);
   return 0;
 }
 
@@ -154,6 +159,7 @@ static void stop_unmodelled_timers(avr_t* avr) {
 
 static void events(mega_t* mega) {
   avr_t* avr = mega->avr;
+  idle_event(mega);
   if (avr->cycle >= mega->port_event) usart_events(mega);
   avr_cycle_timer_process(avr);
   stop_unmodelled_timers(avr);
@@ -196,6 +202,7 @@ static void interrupts(mega_t* mega) {
   }
   if (number == 0) return;
 
+  idle_forget(mega);
   uint64_t before = avr->cycle;
   _avr_push_addr(avr, avr->pc);
   avr_sreg_set(avr, S_I, 0);
@@ -240,6 +247,11 @@ static bool is_beyond_flash(const avr_t* avr, uint16_t opcode) {
   return z > avr->flashend;
 }
 
+/* Whether it changes registers alone, by registers and flash alone: LPM and ELPM. */
+static bool only_reads_flash(uint16_t opcode) {
+  return opcode == 0x95D8 || opcode == 0x95C8 || (opcode & 0xFE0E) == 0x9006 || (opcode & 0xFE0E) == 0x9004;
+}
+
 /* One instruction of simavr's. */
 static void step(mega_t* mega) {
   avr_t* avr = mega->avr;
@@ -254,6 +266,8 @@ static void step(mega_t* mega) {
     avr->state = cpu_Crashed;
     return;
   }
+  if (!mega->harmless && !only_reads_flash(opcode)) idle_forget(mega);
+  mega->harmless = false;
   avr->pc = avr_run_one(avr);
   uint16_t sp = stack_pointer(avr);
   if (sp < mega->lowest_sp && !leaves_stack_pointer_torn(opcode)) mega->lowest_sp = sp;

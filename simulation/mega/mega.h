@@ -3,6 +3,7 @@
  * One idea to a file:
  *   mega.c     the run loop: instructions, sleep, interrupts, resets
  *   quick.c    the common instructions, faster than simavr has them
+ *   idle.c     a loop that waits, without its rounds
  *   compare.c  each of those instructions, beside simavr's own
  *   eeprom.c   the time that a byte of EEPROM takes
  *   usart.c    the serial ports as the data sheet has them, two bytes deep
@@ -78,6 +79,33 @@ typedef struct {
   uint32_t sent_count, sent_room;
 } usart_t;
 
+enum { IDLE_STORES = 512, IDLE_REGISTERS = 512 };
+#define IDLE_ANYWHERE UINT32_MAX
+
+/* What a store replaced. */
+typedef struct {
+  uint16_t at;
+  uint8_t was;
+} replaced_t;
+
+typedef struct {
+  uint32_t pc;             /* the word at which a round was found, where it is looked for; or IDLE_ANYWHERE */
+  uint32_t events_without; /* since that was last come to */
+  bool watches;            /* what follows is a state that was at the word `at` */
+  uint32_t at;
+  uint64_t cycle;
+  uint8_t registers[32];
+  uint8_t sreg[8];
+  uint16_t sp;
+  uint8_t rampz;
+  uint32_t visits, renewed_after;
+  uint32_t count;
+  replaced_t stores[IDLE_STORES];
+  bool is_pin[IDLE_REGISTERS], is_timer_control[IDLE_REGISTERS];
+  uint32_t round;
+  uint32_t noted_in[0x10000]; /* the round in which a store there was last noted */
+} idle_t;
+
 struct mega {
   avr_t* avr;
   usart_t ports[PORTS];
@@ -95,6 +123,8 @@ struct mega {
   bool plain;         /* leave every instruction to simavr */
   decoded_t* decoded;
   char error[160];
+  idle_t idle;
+  bool harmless; /* what is left to simavr changes nothing by which a round could differ from the one before */
   measure_t* measure;
 };
 
@@ -114,6 +144,15 @@ void eeprom_attach(mega_t* mega);
 void quick_decode(mega_t* mega);
 void quick_decode_at(mega_t* mega, uint32_t word);
 bool quick_run(mega_t* mega, uint64_t until);
+
+/* idle.c */
+void idle_attach(mega_t* mega);
+void idle_forget(mega_t* mega);
+void idle_event(mega_t* mega);
+void idle_store(mega_t* mega, uint16_t at);
+bool idle_may_read(const mega_t* mega, uint16_t at);
+bool idle_may_write(const mega_t* mega, uint16_t at, uint8_t value);
+uint64_t idle_visit(mega_t* mega, uint32_t pc, uint64_t cycle, uint64_t until);
 
 /* measure.c */
 void measure_step(mega_t* mega, uint32_t pc, uint16_t opcode, uint64_t before);

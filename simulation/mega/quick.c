@@ -18,7 +18,7 @@ typedef enum {
   LD_X, LD_X_INC, LD_DEC_X, LD_Y_INC, LD_DEC_Y, LD_Z_INC, LD_DEC_Z,
   ST_X, ST_X_INC, ST_DEC_X, ST_Y_INC, ST_DEC_Y, ST_Z_INC, ST_DEC_Z,
   LPM, LPM_INC, PUSH, POP, COM, NEG, SWAP, INC, ASR, LSR, ROR, DEC, BSET, BCLR,
-  RET, IJMP, ICALL, JMP, CALL, ADIW, SBIW, CBI, SBI, SBIC, SBIS, IN, OUT,
+  RET, IJMP, EIJMP, ICALL, EICALL, JMP, CALL, ADIW, SBIW, CBI, SBI, SBIC, SBIS, IN, OUT,
   RJMP, RCALL, BRBS, BRBC, SBRC, SBRS, BLD, BST
 } code_t;
 // clang-format on
@@ -62,6 +62,8 @@ static decoded_t decode_one_operand(uint16_t word) {
   if (word == 0x9508) return make(RET, 0, 0);
   if (word == 0x9409) return make(IJMP, 0, 0);
   if (word == 0x9509) return make(ICALL, 0, 0);
+  if (word == 0x9419) return make(EIJMP, 0, 0);
+  if (word == 0x9519) return make(EICALL, 0, 0);
   if ((word & 0xFF8F) == 0x9408) return make(BSET, (word >> 4) & 7, 0);
   if ((word & 0xFF8F) == 0x9488) return make(BCLR, (word >> 4) & 7, 0);
   switch (word & 15) {
@@ -258,17 +260,26 @@ bool quick_run(mega_t* mega, uint64_t until) {
     slow = true;        \
     goto out;           \
   }
-#define READ(address, into)                       \
-  {                                               \
-    const uint16_t at = (address);                \
-    if (!plain_to_read(avr, at)) LEAVE_TO_SIMAVR; \
-    (into) = data[at];                            \
+#define NOTE(at) \
+  if (mega->idle.watches) idle_store(mega, (uint16_t)(at))
+#define READ(address, into)                     \
+  {                                             \
+    const uint16_t at = (address);              \
+    if (!plain_to_read(avr, at)) {              \
+      mega->harmless = idle_may_read(mega, at); \
+      LEAVE_TO_SIMAVR;                          \
+    }                                           \
+    (into) = data[at];                          \
   }
-#define WRITE(address, value)                      \
-  {                                                \
-    const uint16_t at = (address);                 \
-    if (!plain_to_write(avr, at)) LEAVE_TO_SIMAVR; \
-    data[at] = (value);                            \
+#define WRITE(address, value)                             \
+  {                                                       \
+    const uint16_t at = (address);                        \
+    if (!plain_to_write(avr, at)) {                       \
+      mega->harmless = idle_may_write(mega, at, (value)); \
+      LEAVE_TO_SIMAVR;                                    \
+    }                                                     \
+    NOTE(at);                                             \
+    data[at] = (value);                                   \
   }
 #define SKIP_IF(condition)            \
   {                                   \
@@ -286,6 +297,7 @@ bool quick_run(mega_t* mega, uint64_t until) {
     const uint16_t sp = pair(data, SPL);                                                  \
     const uint32_t back = (next);                                                         \
     if (sp > avr->ramend || sp - call_bytes < avr->ioend) LEAVE_TO_SIMAVR;                \
+    for (uint8_t n = 0; n < call_bytes; n++) NOTE(sp - n);                                \
     data[sp] = (uint8_t)back;                                                             \
     data[sp - 1] = (uint8_t)(back >> 8);                                                  \
     if (call_bytes == 3) data[sp - 2] = (uint8_t)(back >> 16);                            \
@@ -297,6 +309,7 @@ bool quick_run(mega_t* mega, uint64_t until) {
     const decoded_t now = decoded[pc];
     const uint8_t d = now.d;
     const int k = now.k;
+    bool went_back = false;
     switch ((code_t)now.code) {
       case SLOW: LEAVE_TO_SIMAVR;
       case NOP: break;
@@ -406,6 +419,7 @@ bool quick_run(mega_t* mega, uint64_t until) {
       case PUSH: {
         const uint16_t sp = pair(data, SPL);
         if (sp > avr->ramend || sp <= avr->ioend) LEAVE_TO_SIMAVR;
+        NOTE(sp);
         data[sp] = data[d];
         set_pair(data, SPL, (uint16_t)(sp - 1));
         if (sp - 1 < mega->lowest_sp) mega->lowest_sp = (uint16_t)(sp - 1);
@@ -509,23 +523,30 @@ bool quick_run(mega_t* mega, uint64_t until) {
         if (sreg[d]) {
           pc += (uint32_t)k;
           cycle++;
+          went_back = k < 0;
         }
         break;
       case BRBC:
         if (!sreg[d]) {
           pc += (uint32_t)k;
           cycle++;
+          went_back = k < 0;
         }
         break;
       case RJMP:
         pc += (uint32_t)k;
         cycle++;
+        went_back = k < 0;
         break;
       case JMP:
         if (k || WORD_AFTER > last_word) LEAVE_TO_SIMAVR;
+        went_back = WORD_AFTER < pc;
         pc = WORD_AFTER - 1;
         cycle += 2;
         break;
+      case EIJMP:
+        if (avr->eind == 0 || data[avr->eind] != 0) LEAVE_TO_SIMAVR;
+        /* fall through */
       case IJMP:
         if (pair(data, Z) > last_word) LEAVE_TO_SIMAVR;
         pc = pair(data, Z) - 1u;
@@ -536,6 +557,9 @@ bool quick_run(mega_t* mega, uint64_t until) {
         pc += (uint32_t)k;
         cycle += call_bytes;
         break;
+      case EICALL:
+        if (avr->eind == 0 || data[avr->eind] != 0) LEAVE_TO_SIMAVR;
+        /* fall through */
       case ICALL:
         if (pair(data, Z) > last_word) LEAVE_TO_SIMAVR;
         PUSH_PC(pc + 1);
@@ -562,6 +586,9 @@ bool quick_run(mega_t* mega, uint64_t until) {
     }
     pc = (pc + 1) & last_word;
     cycle++;
+    if (went_back && (mega->idle.pc == pc || mega->idle.pc == IDLE_ANYWHERE)) {
+      cycle = idle_visit(mega, pc, cycle, until);
+    }
     if (avr->interrupt_state != 0) break;
   }
 out:

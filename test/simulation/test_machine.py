@@ -293,6 +293,34 @@ def test_a_run_is_the_same_fast_and_by_simavr(name):
     assert run(plain=False) == run(plain=True)
 
 
+def test_a_loop_that_waits_is_the_same_without_its_rounds():
+    def run(plain):
+        mega = machine("waits")
+        if plain:
+            mega.leave_all_to_simavr()
+        port = mega.serial(1)
+        seen = []
+        for number in range(900):
+            mega.run_us(101)
+            if number % 47 == 0:
+                mega.poke_int("asked", 1)
+            if number % 83 == 0:
+                mega.poke_int(0x2C, mega.peek_int(0x2C) ^ 1 << 4)  # PINE, bit 4: pin 2
+            if number % 91 == 0:
+                port.send(b"some", at_cycle=mega.cycle + 12_345)
+                mega.serial(2).send(b"thing", at_cycle=mega.cycle + 1_234)
+            if number % 300 == 200:
+                mega.poke_int("timed", not mega.peek_int("timed"))
+            if number == 400:
+                mega.reset()
+            seen.append((mega.cycle, port.sent(), mega.peek(0, mega.ram_end + 1), mega.deepest_stack))
+        counts = [mega.peek_int(name) for name in ("heard", "tens", "pressed", "answered", "polled", "ticks")]
+        assert min(counts) > 0, counts
+        return seen
+
+    assert run(plain=False) == run(plain=True)
+
+
 def test_a_name_that_is_not_there_is_refused_with_what_is_near():
     mega = machine("late")
     with pytest.raises(NoSuchSymbol, match="no fetchd in .* near it: fetched"):
