@@ -22,12 +22,16 @@ enum { PATIENCE = 64 /* events without the jump at which a round was found */ };
 void idle_attach(mega_t* mega) {
   idle_t* idle = &mega->idle;
   for (avr_io_t* io = mega->avr->io_port; io != NULL; io = io->next) {
-    if (strcmp(io->kind, "port") == 0) idle->is_pin[((avr_ioport_t*)io)->r_pin] = true;
+    if (strcmp(io->kind, "port") == 0) {
+      const avr_ioport_t* port = (avr_ioport_t*)io;
+      idle->is_pin[port->r_pin] = true;
+      idle->is_settled[port->r_port] = true;
+    }
     if (strcmp(io->kind, "timer") != 0) continue;
     const avr_timer_t* timer = (avr_timer_t*)io;
     for (int n = 0; n < 4; n++) {
-      idle->is_timer_control[timer->wgm[n].reg] = true;
-      idle->is_timer_control[timer->cs[n].reg] = true;
+      idle->is_settled[timer->wgm[n].reg] = true;
+      idle->is_settled[timer->cs[n].reg] = true;
     }
   }
 }
@@ -35,9 +39,9 @@ void idle_attach(mega_t* mega) {
 /* A pin gives what it gave before. */
 bool idle_may_read(const mega_t* mega, uint16_t at) { return at < IDLE_REGISTERS && mega->idle.is_pin[at]; }
 
-/* A timer takes no notice of the mode that it has, which digitalRead() sets each time. */
+/* A timer takes no notice of the mode that it has, which digitalRead() sets each time, nor a port of its level. */
 bool idle_may_write(const mega_t* mega, uint16_t at, uint8_t value) {
-  return at < IDLE_REGISTERS && mega->idle.is_timer_control[at] && mega->avr->data[at] == value;
+  return at < IDLE_REGISTERS && mega->idle.is_settled[at] && mega->avr->data[at] == value;
 }
 
 void idle_forget(mega_t* mega) {

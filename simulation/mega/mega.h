@@ -101,7 +101,7 @@ typedef struct {
   uint32_t visits, renewed_after;
   uint32_t count;
   replaced_t stores[IDLE_STORES];
-  bool is_pin[IDLE_REGISTERS], is_timer_control[IDLE_REGISTERS];
+  bool is_pin[IDLE_REGISTERS], is_settled[IDLE_REGISTERS]; /* by the address of a register */
   uint32_t round;
   uint32_t noted_in[0x10000]; /* the round in which a store there was last noted */
 } idle_t;

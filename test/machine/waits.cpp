@@ -27,11 +27,12 @@ static void feel() {
   const bool isDown = digitalRead(2) == LOW;  // a pin with a timer, whose mode digitalRead() sets
   if (isDown && !wasDown) ++pressed;
   wasDown = isDown;
+  digitalWrite(9, isDown ? HIGH : LOW);
 }
 
 static void answer() {
   static uint8_t roundsLeft;
-  if (asked) roundsLeft = 200;
+  if (asked) roundsLeft = 100;
   asked = 0;
   if (roundsLeft > 0 && --roundsLeft == 0) ++answered;
 }
@@ -51,6 +52,7 @@ static void (*const parts[])() = {look, count, feel, answer, poll, tick};
 
 void setup() {
   pinMode(2, INPUT_PULLUP);
+  pinMode(9, OUTPUT);
   Serial1.begin(115200);
   UBRR2 = 16;  // 115200 baud, with U2X2
   UCSR2A = 1 << U2X2;
