@@ -34,10 +34,20 @@ class Scope(NamedTuple):
 
 def public_headers(root: Path = ROOT) -> list[Path]:
     """MavMission.h, the headers beside it, and those that these include themselves and that offer a sketch a name."""
+    beside, included = included_by_a_sketch(root)
+    return [*beside, *(header for header in included if names_in(header.read_text()))]
+
+
+def is_public(header: Path, root: Path = ROOT) -> bool:
+    """Whether it is one of them, without a look into the others."""
+    beside, included = included_by_a_sketch(root)
+    return header in beside or (header in included and bool(names_in(header.read_text())))
+
+
+def included_by_a_sketch(root: Path) -> tuple[list[Path], list[Path]]:
     beside = sorted((root / "src").glob("*.h"))
     text = "".join(header.read_text() for header in beside)
-    included = sorted(set(re.findall(r'^#include "(mavmission/.*)"', text, re.M)))
-    return [*beside, *(root / "src" / name for name in included if names_in((root / "src" / name).read_text()))]
+    return beside, [root / "src" / name for name in sorted(set(re.findall(r'^#include "(mavmission/.*)"', text, re.M)))]
 
 
 def names_in(text: str) -> dict[str, str]:
