@@ -1,7 +1,9 @@
 """The library installs as Arduino and PlatformIO expect, and its metadata tells the truth."""
 
 import configparser
+import functools
 import json
+import os
 import re
 import tomllib
 from collections import defaultdict
@@ -33,11 +35,14 @@ PROPERTIES = {
 SEMVER = re.compile(r"(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)(-[0-9A-Za-z.-]+)?")
 
 
+@functools.cache
 def files() -> list[Path]:
     """Every file of the repository, generated folders apart."""
-    return [
-        f for f in sorted(ROOT.rglob("*")) if f.is_file() and not UNTRACKED & set(f.relative_to(ROOT).parts)
-    ]  # fmt: skip
+    found = []
+    for place, folders, names in os.walk(ROOT):
+        folders[:] = sorted(set(folders) - UNTRACKED)
+        found += [Path(place, name) for name in names if name not in UNTRACKED]
+    return [file for file in sorted(found) if file.is_file()]
 
 
 def properties() -> dict[str, str]:

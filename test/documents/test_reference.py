@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from html import unescape
 from pathlib import Path
-
-import pytest
 
 from building import ROOT
 
@@ -21,38 +18,11 @@ def doxygen(output: Path, **settings: str) -> subprocess.CompletedProcess:
     return subprocess.run(["doxygen", "-"], input=text, cwd=ROOT, capture_output=True, text=True, check=False)
 
 
-def words_of(page: Path) -> str:
-    return re.sub(r"\s+", " ", unescape(re.sub(r"<[^>]*>", " ", page.read_text())))
-
-
-@pytest.fixture(scope="module")
-def reference(tmp_path_factory) -> Path:
-    output = tmp_path_factory.mktemp("reference")
-    ran = doxygen(output)
+def test_readme_is_a_page_of_it_without_a_warning(tmp_path):
+    """The headers: test/tools/test_site.py, whose reference is made by the same file."""
+    ran = doxygen(tmp_path, INPUT="README.md")
     assert (ran.returncode, ran.stderr) == (0, "")
-    return output / "html"
-
-
-@pytest.mark.slow
-def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(reference):
-    assert (reference / "index.html").is_file()
-    client = words_of(reference / "classmavmission_1_1MissionClient.html")
-    header = (ROOT / "src" / "mavmission" / "client" / "MissionClient.h").read_text()
-    public = re.search(r"^class MissionClient\b.*?public:(.*?)^ private:", header, re.M | re.S)[1]
-    functions = set(re.findall(r"^  (?:\w+ )*[\w:]+[&*]? (\w+)\(", public, re.M))
-    assert {"upload", "update"} <= functions
-    assert [name for name in functions if f" {name} (" not in client and f" {name}(" not in client] == []
-    assert "never blocks" in client
-    for name in (
-        "structMissionItem", "classMissionFollower", "classMessageListener", "classDegrees", "structLinkCounters",
-    ):
-        page = re.sub("(?=[A-Z])", "mavmission_1_1", name, count=1)
-        assert (reference / f"{page}.html").is_file(), page
-
-
-@pytest.mark.slow
-def test_inner_parts_are_not_in_it(reference):
-    assert not [*reference.glob("*FrameParser*"), *reference.glob("Flash_8h*"), *reference.glob("*mavlink__msg*")]
+    assert (tmp_path / "html" / "index.html").is_file()
 
 
 def test_what_is_left_out_of_it_is_there():
@@ -68,5 +38,3 @@ def test_member_without_a_comment_is_an_error(tmp_path):
     assert ran.returncode != 0
     assert "bare() (function) of class Thing is not documented" in ran.stderr
 
-
-# The filter -------------------------------------------------------------------

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import subprocess
+from html import unescape
+from pathlib import Path
 
 import pytest
 
@@ -107,6 +109,30 @@ def address(site):
 def test_site_has_the_pages_that_are_looked_at_the_search_and_the_playground(site):
     for name in [*LOOKED_AT, "search.json", "playground/index.html", "playground/examples/UploadMission.hex"]:
         assert (site / name).is_file(), name
+
+
+def words_of(page: Path) -> str:
+    return re.sub(r"\s+", " ", unescape(re.sub(r"<[^>]*>", " ", page.read_text())))
+
+
+@pytest.mark.slow
+def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(site):
+    """A warning of doxygen's would have ended tools/site."""
+    reference = site / "reference"
+    client = words_of(reference / "classmavmission_1_1MissionClient.html")
+    header = (ROOT / "src" / "mavmission" / "client" / "MissionClient.h").read_text()
+    public = re.search(r"^class MissionClient\b.*?public:(.*?)^ private:", header, re.M | re.S)[1]
+    functions = set(re.findall(r"^  (?:\w+ )*[\w:]+[&*]? (\w+)\(", public, re.M))
+    assert {"upload", "update"} <= functions
+    assert [name for name in functions if f" {name} (" not in client and f" {name}(" not in client] == []
+    assert "never blocks" in client
+    for name in (
+        "structMissionItem", "classMissionFollower", "classMessageListener", "classDegrees", "structLinkCounters",
+    ):
+        page = re.sub("(?=[A-Z])", "mavmission_1_1", name, count=1)
+        assert (reference / f"{page}.html").is_file(), page
+    # Inner parts are not in it.
+    assert not [*reference.glob("*FrameParser*"), *reference.glob("Flash_8h*"), *reference.glob("*mavlink__msg*")]
 
 
 @pytest.mark.slow
