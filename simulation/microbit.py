@@ -62,7 +62,7 @@ def build_cortex_m0(
     # The library's objects are the same for all that it does not name.
     its_own = [STANDARD, *defined({name: value for name, value in (defines or {}).items() if library_names(name)})]
     headers = headers_digests(places)
-    objects = [cortex_m0_object(unit, its_own, places, headers) for unit in library_sources()]
+    objects = [cortex_m0_object(unit, its_own, places, headers) for unit in together.together(library_sources())]
     objects += [cortex_m0_object(Path(unit), more, places) for unit in (*sources, *sorted(CORE.glob("*.cpp")))]
     key = digest("elf", *LINK, (CORE / "microbit.ld").read_bytes(), *map(str, objects))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
