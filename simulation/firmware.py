@@ -16,6 +16,7 @@ import fcntl
 import functools
 import hashlib
 import os
+import re
 import subprocess
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -43,6 +44,9 @@ C = ["-std=gnu11", "-fno-fat-lto-objects"]
 BOTH = ["-c", "-Os", "-flto", "-ffunction-sections", "-fdata-sections"]
 STRICT = ["-Wall", "-Wextra", "-Werror"]
 LINK = ["-Os", "-flto", "-fuse-linker-plugin", "-Wl,--gc-sections", *STRICT]
+
+
+INCLUDED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
 
 class FirmwareNotBuilt(Exception):
@@ -74,9 +78,12 @@ def build_firmware(
     units = [compiled(file, mcu, own, places, headers) for file in files]
     if library:
         # As few different ones as can be: firmware that differs elsewhere shares the library's objects.
-        its_own = [*defined({name: value for name, value in (defines or {}).items() if library_names(name)}), *flags]
+        named = {name: value for name, value in (defines or {}).items() if library_names(name)}
         headers = headers_digests([root])
-        units += [compiled(source, mcu, its_own, [root], headers) for source in library_sources(root)]
+        for source in library_sources(root):
+            names = names_in_all_of(source, root) if named else set()
+            its_own = [*defined({name: value for name, value in named.items() if name in names}), *flags]
+            units.append(compiled(source, mcu, its_own, [root], headers))
     core = core_archive(mcu)
     key = digest("elf", mcu, *LINK, *map(str, units), str(core))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
@@ -107,6 +114,32 @@ def library_sources(root: Path = LIBRARY) -> list[Path]:
 def library_names(word: str) -> bool:
     """Whether a macro can mean anything to the library: whether the word is in it."""
     return any(word in file.read_text() for kind in ("*.h", "*.cpp") for file in LIBRARY.rglob(kind))
+
+
+def names_in_all_of(source: Path, root: Path) -> set[str]:
+    """What could be a macro's name in a source of the library, or in a header that it includes.
+
+    Without Config.h, which all include and which has them all: it gives each its default, and refuses wrong values.
+    """
+    names: set[str] = set()
+    seen, files = set(), [str(source)]
+    while files:
+        file = files.pop()
+        if file not in seen and os.path.basename(file) != "Config.h":
+            seen.add(file)
+            own, included = _names_and_included(file, str(root), os.stat(file).st_mtime_ns)
+            names |= own
+            files += included
+    return names
+
+
+@functools.cache
+def _names_and_included(file: str, root: str, changed_ns: int) -> tuple[frozenset[str], tuple[str, ...]]:
+    text, places = Path(file).read_text(), (Path(file).parent, Path(root))
+    found = [[place / name for place in places if (place / name).exists()] for name in INCLUDED.findall(text)]
+    # MAVLink's own headers, of which there are hundreds, know no macro of the library's.
+    files = [os.path.normpath(one[0]) for one in found if one and one[0].parent.name not in ("mavlink", "common")]
+    return frozenset(re.findall(r"\b[A-Z][A-Z0-9_]+\b", text)), tuple(files)
 
 
 def compiled(
