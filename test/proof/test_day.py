@@ -1,4 +1,5 @@
-"""A simulated day of transfers: 24 hours of every operation, one after the other, with idle stretches and losses.
+"""A simulated day of transfers: 24 hours of every operation, one after the other, with idle stretches and losses; with
+PX4 six hours, since what could grow is the same.
 
 The library's own MissionClient, compiled for this computer, update() each millisecond, on a wire to the fake
 autopilots. millis() wraps within the day. What must hold: every operation ends; what it says is so; without a loss it
@@ -25,8 +26,8 @@ from simulation.service import FENCE, MISSION, RALLY
 from simulation.wire import Entry, Wire
 from starts import HOPS
 
-DAY_S = 24 * 3600
-WRAP_S = 15 * 3600.5  # when millis() wraps
+DAY_S = {"ArduPilot": 24 * 3600, "PX4": 6 * 3600}
+WRAP_S = 4 * 3600.5  # when millis() wraps
 LONGEST_S = 150.0  # that an operation may take: the default limit of the longest plan here
 LEFTOVERS_S = 12.0  # after which nothing of an earlier operation is answered any more
 GONE_S = 5.0  # without a heartbeat, an answer or what a follower listens to: AutopilotFinder::kLostMs
@@ -341,10 +342,10 @@ def test_nothing_grows_in_a_day_of_transfers(personality, record_property):
     with day.client:
         live_through(day, 3600.0)
         first = day.watched()
-        live_through(day, DAY_S)
+        live_through(day, DAY_S[personality])
         last = day.watched()
         tally = day.client.tally
-        assert day.client.now > DAY_S > WRAP_S
+        assert day.client.now > DAY_S[personality] > WRAP_S
     assert first[1] == "busy=0 parser=0 outbox=0"
     assert [what for _, what, _ in last[0]] == [what for _, what, _ in first[0]]
     for (then, what, operation), (now, _, _) in zip(first[0], last[0], strict=True):
@@ -352,7 +353,7 @@ def test_nothing_grows_in_a_day_of_transfers(personality, record_property):
         assert now == pytest.approx(then, abs=1.0 if operation == "start" else SAME_S + STEP_S), (operation, what)
     assert last[1:] == first[1:]
     assert tally["allocations"] == 0
-    assert tally["ends"] == day.ended.total() > 3000
+    assert tally["ends"] == day.ended.total() > DAY_S[personality] / 29
     assert tally["updates"] == day.client.now_ms
-    assert day.client.frames_sent > 2**16, "no counter has wrapped"
+    assert personality == "PX4" or day.client.frames_sent > 2**16, "no counter has wrapped"
     record_property("table", [f"a day of transfers, {personality}: {tally['updates']:,} update()s", rows(day)])
