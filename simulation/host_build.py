@@ -40,6 +40,7 @@ FAST = ["-O2", "-g0"]
 # The tests' own code with doctest's macros would be most of the time of a build, and is not what is looked at.
 # What tries a million values is sooner done when it is optimised all the same.
 UNITS = HOST / "units"
+UNITS_COMPILER = "clang++"
 LONG_RUNNING = (UNITS / "float_bits.cpp",)
 MAIN = UNITS / "main.cpp"
 UNITS_INCLUDE = ("<doctest/doctest.h>", "<algorithm>", "<map>", "<string>", "<vector>")
@@ -86,14 +87,23 @@ def build_objects(
     sources: Iterable[Path], compiler: str, flags: Sequence[str], own_flags: Sequence[str] = (),
     defines: Mapping[str, object] | None = None,
 ) -> list[Path]:  # fmt: skip
-    command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *PLACES]
+    command = [*flags, *WARNINGS, *defined(defines or {}), *PLACES, *own_flags]
 
     def told(source: Path) -> list[str]:
-        unit = FAST_ASSERTS if source in LONG_RUNNING else [*FAST_ASSERTS, *AS_IT_IS]
-        return [*command, *own_flags, *(unit if source.parent == UNITS else [])]
+        return command_for(source, compiler, command)
 
     with ThreadPoolExecutor(os.cpu_count()) as workers:
         return [*workers.map(lambda source: make_object(source, told(source)), sources)]
+
+
+def command_for(source: Path, compiler: str, told: Sequence[str]) -> list[str]:
+    """The command for a source of a program that `compiler` makes, which is `told` these.
+
+    The units are clang++'s in each: it takes two thirds of the time of g++ for them.
+    """
+    is_unit = source.parent == UNITS
+    unit = [*FAST_ASSERTS, *([] if source in LONG_RUNNING else AS_IT_IS)] if is_unit else []
+    return [UNITS_COMPILER if is_unit else compiler, "-c", *STANDARD, *told, *unit]
 
 
 def make_object(source: Path, command: Sequence[str]) -> Path:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from simulation import host_build
 from simulation.firmware import LIBRARY, ROOT, digest, exclusive, library_sources
-from simulation.host_build import AS_IT_IS, FAST, FAST_ASSERTS, HOST, PLACES, SANITIZED, SHIM, STANDARD, UNITS, WARNINGS
+from simulation.host_build import FAST, HOST, PLACES, SANITIZED, SHIM, UNITS, WARNINGS
 from simulation.recorded_for_units import environment
 
 OUTPUT = ROOT / "build" / "mutation"
@@ -58,8 +58,7 @@ class Program:
     def command(self, source: Path) -> list[str]:
         """How a source is compiled, where its includes are aside: as host_build does."""
         own = self.own_flags if source in self.sources else ()
-        units = [*FAST_ASSERTS, *AS_IT_IS] if source.parent == UNITS else []
-        return [self.compiler, "-c", *STANDARD, *self.flags, *WARNINGS, *PLACES, *units, *own]
+        return host_build.command_for(source, self.compiler, [*self.flags, *WARNINGS, *PLACES, *own])
 
     @functools.cached_property
     def objects(self) -> dict[Path, Path]:

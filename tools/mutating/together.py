@@ -87,7 +87,7 @@ class Together:
 
     def compiled(self, killer: Program, source: Path) -> Path:
         command = [*killer.command(source), "-O1", "-w"]
-        depth = ["-fbracket-depth=100000"] if killer.compiler == "clang++" else []
+        depth = ["-fbracket-depth=100000"] if command[0] == "clang++" else []
         quick = host_build.quickened(source, command)
         words = [*NICE, quick[0], f"-I{self.overlay.place}", *quick[1:], *depth, str(self.overlay.path(source))]
         key = digest(*words)[:12]
