@@ -14,7 +14,6 @@ HOME = (-353632621, 1491652374, 584.0)  # where the examples fly
 TRUTH = 255  # the system id of the truth
 SHOWN = (1, 33)  # SYS_STATUS, GLOBAL_POSITION_INT
 SHOWN_EACH_S = 0.1
-ANSWERED = (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAV_CMD_DO_PAUSE_CONTINUE)  # to the truth, and no more
 
 
 def an_autopilot(name: str) -> FakeAutopilot:
@@ -54,7 +53,6 @@ class StandIn:
         self.now = 0.0
         self.has_remote = True
         self.is_closed = False
-        self.has_landed = False
         self.fails = False  # by a parameter that the truth has set
         self.line, self.truth = Port(self._line_write), Port(self._truth_write)
         self._defect, self._hears = defect, hears
@@ -102,7 +100,7 @@ class StandIn:
         self.autopilot._advance(self.now)
         for frame, _ in self._from_truth.feed(data):
             message = message_in(frame)
-            if getattr(message, "command", 0) in ANSWERED:
+            if getattr(message, "command", 0) == mavlink.MAV_CMD_SET_MESSAGE_INTERVAL:  # is answered, and no more
                 self.truth.unread += packed(mavlink.MAVLink_command_ack_message(message.command, 0), self._packer, 2)
             elif getattr(message, "param_id", ""):
                 self.fails = message.param_value != 0.0

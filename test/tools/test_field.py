@@ -14,16 +14,19 @@ from benching.flights import CREWS
 from benching.items import Row, fakes_differ
 from benching.scenarios import SCENARIOS
 from building import ROOT
-from fielding import Kept, Outcome, Runner, report, table
+from fielding import Kept, Outcome, Runner, report, table, trials
 from fielding.ardupilot import sensors
-from fielding.trials import RESULTS
 from fielding.vehicles import GRAVITY, Copter, Plane, QuadPlane, Rover
 from simulation import recordings
 from simulation.fake_autopilot import Item, mavlink
-from simulation.fake_autopilot.px4_missions import State
 from stand_in import StandIn, started
 
 TRIALS = {(vehicle, one.name): one for vehicle in trial_names.VEHICLES for one in table(vehicle)}
+
+
+@pytest.fixture(autouse=True)
+def few_random_items(monkeypatch):
+    monkeypatch.setattr(trials, "ROUNDS", 8)
 
 
 def played(folder, name: str, vehicle: str = "arducopter", **defects) -> Outcome:
@@ -40,25 +43,21 @@ def test_table_is_the_one_that_is_listed():
         assert [one.name for one in table(vehicle)] == trial_names.simulator_names(vehicle)
 
 
-# Each kind of trial with a copter, and with the others what is otherwise with them.
+# What a world does for each kind of trial with a copter, and what is otherwise with the others. How a flight is judged:
+# test_field_judge.py.
 GOOD = {
     "arducopter": (
         "the count is lost", "2 of 1000 bytes are lost or altered", "the autopilot is armed",
         "one operation right behind another", "cancelled, and another right behind it, each way takes 150 ms",
-        "loop() stands still for 3 s in an upload", "the cable is out for 12 s, and an upload follows",
+        "loop() stands still for 3 s in an upload", "the cable is out for 3 s",
         "the board is reset, and uploads again", "a second station uploads meanwhile",
-        "a second station uploads behind it", "60 items, 3 % of bytes, 0 ms", trial_names.RANDOM_ITEMS,
-        "example UploadMission", "example FenceAndRally", "example ReadTelemetry", "StartMission, undisturbed",
-        "StartButton, a pilot lands", "StartMission, a failsafe", "GoToPlaces, a pilot disarms",
-        "StartMission, the board is reset", "StartMission, the cable is out",
-        "GoToPlaces, a pilot comes while loop() stands still", "StartMission, a station uploads another plan",
-        "StartButton, a station sets the current item", "WorkAtWaypoints, a station pauses it"),
-    "px4": (
         "a second station uploads behind it", "example FenceAndRally", "StartMission, a failsafe",
-        "FollowBeacon, a pilot lands", "FlyByButtons, 3 % of bytes", "StartMission, the ground station is lost"),
+        "StartButton, a station sets the current item"),
+    "px4": (
+        "a second station uploads behind it", "example FenceAndRally", "FlyByButtons, 3 % of bytes",
+        "StartMission, the ground station is lost"),
     "ardurover": ("nothing is lost", "StartMission, undisturbed", "example GoToPlaces"),
-    "arduplane": ("example WorkAtWaypoints", "StartMission, undisturbed"),
-    "quadplane": ("GoToPlaces, a failsafe", "StartMission, a station orders the return", "example NextWaypoint"),
+    "quadplane": ("StartMission, a pilot comes while loop() stands still",),
     "ardusub": ("the autopilot is armed", "example GoToPlaces"),
 }  # fmt: skip
 
@@ -82,58 +81,12 @@ def shifted(message):
     return None
 
 
-def cut_short(stand_in: StandIn) -> None:
-    """A plan that has been accepted loses its last items."""
-    missions = stand_in.autopilot.missions
-    if stand_in.name == "px4":
-        held, is_received = missions.held[0], missions.state is State.IDLE
-    else:
-        held, is_received = missions[0].held, not missions[0].receiving
-    if is_received and len(held) >= 10:
-        del held[8:]
-
-
-def arms_again(stand_in: StandIn) -> None:
-    """Armed by nobody, five seconds after a person has landed and disarmed it."""
-    autopilot = stand_in.autopilot
-    if stand_in.mode in ("LAND", "HOLD", "FBWA") and autopilot.armed:
-        stand_in.has_landed = True
-    if stand_in.has_landed and not autopilot.armed:
-        stand_in.has_landed = False
-        autopilot.at("arms again", stand_in.now + 5.0, lambda now: setattr(autopilot, "armed", True))
-
-
 def flies_on(stand_in: StandIn) -> None:
     """The mode of a pilot or a failsafe is undone after two seconds."""
     autopilot, crew = stand_in.autopilot, CREWS[stand_in.name]
     if stand_in.mode in (crew.takes, crew.returns) and "undone" not in autopilot._timers:
         plan = "MISSION" if "MISSION" in crew.modes else "AUTO"
         autopilot.at("undone", stand_in.now + 2.0, lambda now: stand_in.set_mode(plan))
-
-
-def holds_first(stand_in: StandIn) -> None:
-    """A failsafe sets the mode of a pilot, and that of the return two seconds later."""
-    if hasattr(stand_in, "returns"):
-        return
-    stand_in.returns, stand_in.holds_until = stand_in._fail, None
-
-    def fail() -> None:
-        if stand_in.holds_until is None:
-            stand_in.holds_until = stand_in.now + 2.0
-            stand_in.set_mode(CREWS[stand_in.name].takes)
-        elif stand_in.now >= stand_in.holds_until:
-            stand_in.returns()
-
-    stand_in._fail = fail
-
-
-def puts_back(stand_in: StandIn) -> None:
-    """The plan that another has replaced in flight is aboard again."""
-    held = stand_in.autopilot.missions[0].held
-    if stand_in.autopilot.armed:
-        stand_in.first = getattr(stand_in, "first", None) or list(held)
-    elif hasattr(stand_in, "first"):
-        held[:] = stand_in.first
 
 
 def keeps_otherwise(message):
@@ -144,36 +97,12 @@ def keeps_otherwise(message):
     return None
 
 
-NOT_ABOARD = "Accepted, and the plan is not aboard"
-BOTH = [
-    ("StartMission, a pilot lands", {"defect": arms_again}, "it was armed again behind it"),
-    ("StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['"),
-]
 FOUND = [
-    ("arducopter", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
-    ("arducopter", "nothing is lost", {"defect": cut_short}, NOT_ABOARD),
-    (
-        "px4",
-        "nothing is lost",
-        {"hears": shifted},
-        "Accepted was expected",
-    ),  # its checksum of the plan tells the library
-    ("px4", "nothing is lost", {"defect": cut_short}, NOT_ABOARD),
+    ("arducopter", "nothing is lost", {"hears": shifted}, "Accepted, and the plan is not aboard"),
+    ("px4", "nothing is lost", {"hears": shifted}, "Accepted was expected"),  # its checksum tells the library
     ("arducopter", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "right behind Accepted: Item("),
     ("px4", trial_names.RANDOM_ITEMS, {"hears": keeps_otherwise}, "OtherPlanAboard right behind the upload of Item("),
-    ("ardurover", "nothing is lost", {"hears": shifted}, NOT_ABOARD),
-    *((vehicle, *one) for vehicle in ("arducopter", "px4") for one in BOTH),
-    ("ardurover", *BOTH[1]),
-    ("arduplane", *BOTH[0]),
-    ("arducopter", "StartMission, the battery is low", {"defect": flies_on}, "other modes came behind it: ['AUTO'"),
-    ("arducopter", "StartMission, a failsafe", {"defect": holds_first}, "'ended by a pilot', and none was there"),
-    ("ardurover", "StartMission, the battery is low", {"defect": holds_first}, "a pilot', and none was there"),
-    (
-        "arducopter",
-        "StartMission, a station uploads another plan",
-        {"defect": puts_back},
-        "another station's plan was replaced",
-    ),
+    ("arduplane", "StartMission, a pilot lands", {"defect": flies_on}, "other modes came behind it: ['"),
 ]
 
 
@@ -189,13 +118,13 @@ def test_planted_defect_is_named_in_the_report(tmp_path, vehicle, name, defect, 
 
 
 def test_run_goes_on_where_it_stopped(tmp_path):
-    trials = [TRIALS["arducopter", name] for name in ("nothing is lost", "the count is lost")]
-    first = list(Runner(started(), Kept(tmp_path)).run(trials[:1], [1], None))
+    two = [TRIALS["arducopter", name] for name in ("nothing is lost", "the count is lost")]
+    first = list(Runner(started(), Kept(tmp_path)).run(two[:1], [1], None))
     assert [(one.name, done, total) for one, done, total in first] == [("nothing is lost", 1, 1)]
     runner = Runner(started(), Kept(tmp_path))
-    rest = [(one.name, one.seed, done, total) for one, done, total in runner.run(trials, [1, 2], None)]
+    rest = [(one.name, one.seed, done, total) for one, done, total in runner.run(two, [1, 2], None)]
     assert rest == [("the count is lost", 1, 2, 4), ("nothing is lost", 2, 3, 4), ("the count is lost", 2, 4, 4)]
-    assert len(Kept(tmp_path).outcomes) == len((tmp_path / RESULTS).read_text().splitlines()) == 4
+    assert len(Kept(tmp_path).outcomes) == len((tmp_path / trials.RESULTS).read_text().splitlines()) == 4
 
 
 def test_no_trial_is_begun_after_its_minutes(tmp_path):
@@ -229,7 +158,8 @@ def test_frames_are_kept_as_recordings_are(tmp_path, monkeypatch):
 
 
 def test_random_items_are_kept_as_the_read_back_files_are(tmp_path):
-    played(tmp_path, trial_names.RANDOM_ITEMS)
+    outcome = played(tmp_path, trial_names.RANDOM_ITEMS)
+    assert (outcome.contradictions, outcome.fakes_differ) == ([], [])
     with open(tmp_path / "readback_random_arducopter.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     with open(recordings.FOLDER / "readback_random_arducopter.csv", newline="") as file:
