@@ -134,10 +134,9 @@ def test_name_of_no_frame_is_refused(text, says):
         NamedFrame(text)
 
 
-def test_run_without_a_mission_has_no_timeline(tmp_path, monkeypatch):
-    monkeypatch.setattr(inside, "LIMIT_S", 1.0)
+def test_run_without_a_mission_has_no_timeline(tmp_path):
     with pytest.raises(NoDemonstration, match="nothing of a mission crossed the line"):
-        run(example=str(Path(__file__).parents[1] / "demonstrated" / "silent.cpp"), timeline=tmp_path / "none.svg")
+        run(example="FlyByButtons", described={"limit_s": 1.0}, timeline=tmp_path / "none.svg")
 
 
 # Laying it out --------------------------------------------------------------

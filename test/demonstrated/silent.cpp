@@ -1,5 +1,0 @@
-// A sketch that uploads nothing.
-#include <Arduino.h>
-
-void setup() {}
-void loop() {}
