@@ -108,13 +108,16 @@ def asked(group: str) -> Asked:
 
 @functools.cache
 def lists() -> tuple[str, ...]:
-    """Options for apt-get and apt-cache: Debian's lists of packages, this machine's if it has them."""
-    known = subprocess.run(["apt-cache", "show", "gcc-avr"], capture_output=True, text=True, check=False)
-    if "\nSize: " in known.stdout:
-        return ()
+    """Options for apt-get and apt-cache: Debian's lists of packages, this machine's if it has them; read once, and kept
+    in apt's own form."""
     folder = ROOT / "build" / "apt"
     (folder / "lists" / "partial").mkdir(parents=True, exist_ok=True)
-    options = ("-o", f"Dir::State::lists={folder}/lists", "-o", f"Dir::Cache={folder}")
+    kept = [word for name in ("pkgcache", "srcpkgcache") for word in ("-o", f"Dir::Cache::{name}={folder}/{name}.bin")]
+    command = ["apt-cache", *kept, "show", "gcc-avr"]
+    known = subprocess.run(command, capture_output=True, text=True, check=False)
+    if "\nSize: " in known.stdout:
+        return tuple(kept)
+    options = (*kept, "-o", f"Dir::State::lists={folder}/lists", "-o", f"Dir::Cache={folder}")
     subprocess.run(["apt-get", *options, "-qq", "update"], check=True)
     return options
 
