@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from itertools import cycle
 
 import pytest
 
@@ -72,9 +73,12 @@ def test_board_says_what_it_is(board):
     )
 
 
+# Beside one in turn: tools/field plays most of them beside the other (test_field.py).
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["ArduPilot", "PX4"])
-@pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name.replace(" ", "-"))
+@pytest.mark.parametrize(
+    ("scenario", "name"), [*zip(SCENARIOS, cycle(("ArduPilot", "PX4")))],
+    ids=lambda one: getattr(one, "name", one).replace(" ", "-"),
+)  # fmt: skip
 def test_scenario_ends_as_it_must_on_a_mega(board, scenario, name):
     result = play(board.player, scenario, name)
     assert result.wrong == []

@@ -7,7 +7,6 @@ import posixpath
 import re
 import shutil
 import subprocess
-import sys
 import zipfile
 from pathlib import Path
 
@@ -19,8 +18,6 @@ from examples import example_folder
 from linting import lint
 from publishing import notes_of, prepare_version, steps
 from releasing import NotReady, files_of, problems, release, versions, write_site, write_zip
-
-TOOL = ROOT / "tools" / "release"
 
 
 @pytest.fixture
@@ -222,14 +219,11 @@ def test_site_is_packed_whole_and_the_same_site_makes_the_same_zip(tmp_path):
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory) -> Path:
-    """What tools/release makes of this clone."""
+    """Of this clone; test_alone.py runs the tool, which checks it as well."""
     folder = tmp_path_factory.mktemp("release")
-    ran = subprocess.run([sys.executable, TOOL, "--snapshot", "--no-builds", "--output", folder],
-                         capture_output=True, text=True, check=False)  # fmt: skip
-    assert ran.returncode == 0, ran.stdout + ran.stderr
-    said = Path(ran.stdout.splitlines()[-1])
-    assert said == folder / f"MavMission-{versions(ROOT)['library.properties']}-snapshot.zip"
-    return said
+    made = release(ROOT, folder, snapshot=True)
+    assert made == folder / f"MavMission-{versions(ROOT)['library.properties']}-snapshot.zip"
+    return made
 
 
 @pytest.mark.slow
