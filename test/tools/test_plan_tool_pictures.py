@@ -217,6 +217,7 @@ def test_title_fits_whatever_the_name(tmp_path, name, lines):
     title = title_of(plan).split("\n")
     assert len(title) <= max(lines, 1) and all(len(line) <= 72 for line in title)
     draw(plan, tmp_path / "a.png", Speeds(5.0))
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
 
 
 # The table ---------------------------------------------------------------------------
