@@ -49,10 +49,7 @@ class Aircraft : public ClientOnLine {
   std::map<int, int> gives;  // by command: its result, or what becomes of it
   std::map<int, int> once;   // the same for the next one alone
 
-  explicit Aircraft(uint8_t autopilot, uint8_t vehicleType = 2)
-      : ClientOnLine(autopilot), steering(client), type(vehicleType), isPx4_(autopilot == kPx4) {
-    beats = false;
-  }
+  explicit Aircraft(uint8_t autopilot, uint8_t vehicleType = 2);
 
   virtual ~Aircraft() = default;
 
@@ -60,115 +57,32 @@ class Aircraft : public ClientOnLine {
   virtual void loop() {}
 
   // On the ground, and found.
-  Aircraft& stand(uint32_t inMode) {
-    mode = inMode;
-    pass(3000);
-    forget();
-    return *this;
-  }
+  Aircraft& stand(uint32_t inMode);
   // In the air, in this mode, and seen disarmed before.
-  Aircraft& fly(uint32_t inMode) {
-    if (client.firmware() == mavmission::Firmware::Unknown) stand(inMode);
-    mode = inMode;
-    isArmed = true;
-    state = kActive;
-    landed = 2;
-    pass(1000);
-    forget();
-    return *this;
-  }
+  Aircraft& fly(uint32_t inMode);
 
-  void forget() {
-    sent.clear();
-    said_.clear();
-    saidMs.clear();
-    asks = 0;
-    ended = mavmission::Status::Idle;
-  }
+  void forget();
 
   // As loop() does.
-  void pass(uint32_t ms) {
-    for (; ms != 0; --ms) one();
-  }
+  void pass(uint32_t ms);
   // Until the operation has ended; with what.
-  mavmission::Status end(uint32_t limitMs = 60000) {
-    ended = mavmission::Status::Idle;
-    beganMs = nowMs();
-    for (; limitMs != 0; --limitMs) {
-      one();
-      if (ended != mavmission::Status::Idle) break;
-    }
-    tookMs = nowMs() - beganMs;
-    return ended;
-  }
+  mavmission::Status end(uint32_t limitMs = 60000);
   // Until this command has been sent; false if it is not.
-  bool passUntil(uint16_t command, uint32_t limitMs = 20000) {
-    for (const size_t before = said_.size(); limitMs != 0; --limitMs) {
-      one();
-      for (size_t i = before; i < said_.size(); ++i) {
-        if (atoiOf(said_[i]) == command) return true;
-      }
-    }
-    return false;
-  }
+  bool passUntil(uint16_t command, uint32_t limitMs = 20000);
 
   // What was sent since the last call, without the heartbeats that were asked for.
-  std::string said() {
-    std::string text;
-    for (const std::string& one : said_) text += (text.empty() ? "" : ", ") + one;
-    said_.clear();
-    saidMs.clear();
-    return text;
-  }
+  std::string said();
   std::vector<uint32_t> saidMs;  // when
   uint32_t asks = 0;             // for heartbeats
   uint32_t beganMs = 0, tookMs = 0;
 
-  void beat() {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = mode;
-    message.type = type;
-    message.autopilot = isPx4_ ? kPx4 : kArduPilot;
-    message.base_mode = static_cast<uint8_t>(1 | (isArmed ? 128 : 0));
-    message.system_status = state;
-    message.mavlink_version = 3;
-    tell(0, message, 50);
-  }
+  void beat();
   // Its mode becomes this one, and a heartbeat shows it.
-  void show(uint32_t newMode) {
-    mode = newMode;
-    beat();
-    pass(1);
-  }
-  void tellPosition() {
-    mavlink_global_position_int_t message = mavlink_global_position_int_t();
-    message.lat = here.latitude.e7();
-    message.lon = here.longitude.e7();
-    message.alt = seaMm;
-    message.relative_alt = homeMm;
-    tell(33, message, 104);
-  }
-  void tellTarget(int32_t latitude, int32_t longitude, float altitude) {
-    mavlink_position_target_global_int_t message = mavlink_position_target_global_int_t();
-    message.lat_int = latitude;
-    message.lon_int = longitude;
-    message.alt = altitude;
-    tell(87, message, 150);
-  }
-  void tellLanded() {
-    mavlink_extended_sys_state_t message = mavlink_extended_sys_state_t();
-    message.landed_state = landed;
-    message.vtol_state = vtol;
-    tell(245, message, 130);
-  }
-  void answer(uint16_t command, uint8_t result) {
-    mavlink_command_ack_t message = mavlink_command_ack_t();
-    message.command = command;
-    message.result = result;
-    message.target_system = 1;
-    message.target_component = 191;
-    tell(77, message, 143);
-  }
+  void show(uint32_t newMode);
+  void tellPosition();
+  void tellTarget(int32_t latitude, int32_t longitude, float altitude);
+  void tellLanded();
+  void answer(uint16_t command, uint8_t result);
   template <typename Message>
   void tell(uint16_t id, const Message& message, uint8_t crcExtra) {
     Bytes payload(sizeof(message));
@@ -186,93 +100,12 @@ class Aircraft : public ClientOnLine {
 
   static int atoiOf(const std::string& text) { return static_cast<int>(strtol(text.c_str() + 1, nullptr, 10)); }
 
-  void one() {
-    if (beatsBySecond && nowMs() % 1000 == 0) beat();
-    if (positions_ && hasPosition && nowMs() % 500 == 20) tellPosition();
-    for (auto due = due_.begin(); due != due_.end() && due->first <= nowMs(); due = due_.erase(due)) {
-      switch (due->second.what) {
-        case Beat: beat(); break;
-        case Position: tellPosition(); break;
-        case Landed: tellLanded(); break;
-        case Home: tell(242, mavlink_home_position_t(), 104); break;
-        case Answer: answer(due->second.command, due->second.result); break;
-      }
-    }
-    const size_t before = sent.size();
-    loop();
-    run(1);
-    for (size_t i = before; i < sent.size(); ++i) react(sent[i]);
-  }
-  void in(uint32_t ms, What what, uint16_t command = 0, uint8_t result = 0) {
-    due_.insert({nowMs() + ms, Due{what, command, result}});
-  }
+  void one();
+  void in(uint32_t ms, What what, uint16_t command = 0, uint8_t result = 0);
 
-  void react(const SentFrame& frame) {
-    float param[7];
-    uint16_t command;
-    char text[200];
-    if (frame.messageId == 76) {
-      mavlink_command_long_t message;
-      memcpy(&message, frame.payload.data(), sizeof(message));
-      memcpy(param, &message, sizeof(param));
-      command = message.command;
-      snprintf(text, sizeof(text), "L%d %g %g %g %g %g %g %g", command, double{param[0]}, double{param[1]},
-               double{param[2]}, fabs(double{param[3]}), double{param[4]}, double{param[5]}, double{param[6]});
-    } else if (frame.messageId == 75) {
-      mavlink_command_int_t message;
-      memcpy(&message, frame.payload.data(), sizeof(message));
-      memcpy(param, &message, sizeof(param));
-      command = message.command;
-      snprintf(text, sizeof(text), "I%d frame %d %g %g %g %g %d %d %g", command, int{message.frame}, double{param[0]},
-               double{param[1]}, double{param[2]}, fabs(double{param[3]}), int{message.x}, int{message.y},
-               double{float{message.z}});
-    } else {
-      return;
-    }
-    if (command == 512 && param[0] == 0) {
-      ++asks;
-      if (!beatsWhenAsked) return;
-      in(24, Answer, 512);
-      in(25, Beat);
-      return;
-    }
-    said_.push_back(text);
-    saidMs.push_back(nowMs());
-    int result = gives.count(command) != 0 ? gives[command] : 0;
-    if (once.count(command) != 0) {
-      result = once[command];
-      once.erase(command);
-    }
-    if (result == kUnheard) return;
-    if (result == 0 || result == kSilent) carryOut(command, param);
-    if (result >= 0) in(30, Answer, command, static_cast<uint8_t>(result));
-  }
+  void react(const SentFrame& frame);
 
-  void carryOut(uint16_t command, const float* param) {
-    switch (command) {
-      case 512:
-        if (param[0] == 245.f && hasLanded) in(31, Landed);
-        if (param[0] == 242.f && hasHome) in(31, Home);
-        break;
-      case 511: positions_ = true; break;
-      case 176:
-        mode = isPx4_ ? ofPx4(static_cast<uint32_t>(param[1]), static_cast<uint32_t>(param[2]))
-                      : static_cast<uint32_t>(param[1]);
-        break;
-      case 400: isArmed = param[0] == 1.f; break;
-      case 22:
-        if (isPx4_) mode = kPx4TakeOff;
-        if (!takesOff) break;
-        state = kActive;
-        landed = 3;  // it takes off
-        break;
-      case 192:
-        if (param[1] == 1.f)
-          mode = isPx4_ ? uint32_t{kPx4Hold} : type == 2 ? uint32_t{kGuided} : uint32_t{kRoverGuided};
-        break;
-      default: break;
-    }
-  }
+  void carryOut(uint16_t command, const float* param);
 
   bool isPx4_;
   bool positions_ = false;

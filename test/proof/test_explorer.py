@@ -45,7 +45,7 @@ COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "
 @functools.cache
 def build_explorer(library: tuple[Path, ...] | None = None, generic: int = 0) -> Path:
     """`generic`: which firmware the library is told that a generic autopilot has."""
-    sources = [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp"]
+    sources = [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp", HOST / "ClientOnLine.cpp"]
     defines = {"MAVMISSION_GENERIC_FIRMWARE": generic} if generic else {}
     return build_host("explorer", sources, "g++", FAST, own_flags=OWN_FLAGS, defines=defines, library=library)
 

@@ -27,7 +27,7 @@ def chosen(request) -> tuple[Path, ...]:
 
 @functools.cache
 def build_units(units: tuple[Path, ...], compiler: str, flags: tuple[str, ...]) -> Path:
-    return build_host("units", [*units, *sorted(HOST.glob("*.cpp"))], compiler, flags)
+    return build_host("units", [*sorted(HOST.glob("*.cpp")), *units], compiler, flags)
 
 
 def pytest_generate_tests(metafunc):

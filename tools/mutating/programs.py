@@ -75,8 +75,8 @@ class Program:
 
     @functools.cached_property
     def archive(self) -> Path:
-        """The library's objects."""
-        members = [str(made) for source, made in self.objects.items() if LIBRARY in source.parents]
+        """The objects of the library, and of what the units share."""
+        members = [str(made) for source, made in self.objects.items() if is_taken_where_needed(source)]
         archive = OUTPUT / "archives" / f"{digest(*members)[:16]}.a"
         with exclusive(archive):
             if not archive.exists():
@@ -91,8 +91,8 @@ class Program:
 
         Raises HostProgramNotBuilt.
         """
-        own = [mutated.get(source, made) for source, made in self.objects.items() if LIBRARY not in source.parents]
-        changed = [made for source, made in mutated.items() if LIBRARY in source.parents]
+        own = [mutated.get(source, made) for source, made in self.objects.items() if not is_taken_where_needed(source)]
+        changed = [made for source, made in mutated.items() if is_taken_where_needed(source)]
         words: list[str | Path] = [self.compiler, *self.flags, *options, "-o", output, *own, *changed, self.archive]
         linked = subprocess.run([*NICE, *words], capture_output=True, text=True, check=False)
         if linked.returncode != 0:
@@ -156,6 +156,10 @@ class Program:
         return ""
 
 
+def is_taken_where_needed(source: Path) -> bool:
+    return LIBRARY in source.parents or source.parent == HOST
+
+
 def run(program: Path, words: str, limit_s: int, chosen: dict[str, str] | None = None) -> Run:
     limit = f"--cpu={limit_s}:{limit_s + 1}"
     limited: list[str | Path] = [*NICE, "prlimit", limit, "--core=0", program, *words.split()]
@@ -197,7 +201,7 @@ def unit_program(unit: Path, *, sanitized: bool) -> Program:
 def explorer(explored: tuple[str, ...]) -> Program:
     own = ("-std=c++17", "-fno-access-control")
     runs = tuple(f"{words} --most-states {MOST_STATES}" for words in explored)
-    sources = (*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp")
+    sources = (*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp", HOST / "ClientOnLine.cpp")
     return Program("explorer", "explorer", sources, tuple(FAST), own, runs)
 
 
