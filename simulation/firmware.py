@@ -111,9 +111,10 @@ def library_sources(root: Path = LIBRARY) -> list[Path]:
 
 
 @functools.cache
-def library_names(word: str) -> bool:
-    """Whether a macro can mean anything to the library: whether the word is in it."""
-    return any(word in file.read_text() for kind in ("*.h", "*.cpp") for file in LIBRARY.rglob(kind))
+def library_names(macro: str) -> bool:
+    """Whether it can mean anything to the library: whether it is a word in it, and no part of one."""
+    texts = (file.read_text() for kind in ("*.h", "*.cpp") for file in LIBRARY.rglob(kind))
+    return any(re.search(rf"\b{macro}\b", text) for text in texts if macro in text)
 
 
 def names_in_all_of(source: Path, root: Path) -> set[str]:
