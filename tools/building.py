@@ -12,6 +12,7 @@ again only when a file that went into them changes.
 from __future__ import annotations
 
 import fcntl
+import functools
 import hashlib
 import json
 import os
@@ -200,7 +201,13 @@ def exclusive(lock: Path) -> Iterator[None]:
 
 
 def digest(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+    state = file.stat()
+    return digest_of(str(file), state.st_mtime_ns, state.st_size)
+
+
+@functools.cache
+def digest_of(file: str, changed_ns: int, size: int) -> str:
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()
 
 
 def library_sources() -> set[Path]:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import bisect
 import difflib
 import re
+import struct
 import subprocess
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from elftools.common.exceptions import ELFError
 from elftools.elf.elffile import ELFFile
@@ -17,6 +20,11 @@ from elftools.elf.sections import SymbolTableSection
 RAM = 0x800000
 EEPROM = 0x810000
 FUSES = 0x820000
+
+# As elf.h has them, of 32 bits, little-endian.
+ENTRY = struct.Struct("<IIIBBH")
+OBJECT, SECTION, FILE = 1, 3, 4
+SPECIAL, ABSOLUTE = 0xFF00, 0xFFF1
 
 MCUS = ("atmega2560", "atmega328p", "atmega32u4")
 
@@ -129,7 +137,7 @@ def load_elf(path: Path) -> Image:
                     image.mcu = next((m for m in MCUS if m.encode() in section.data()), None)
                 if isinstance(section, SymbolTableSection):
                     image.symbols += symbols_in(section)
-    except ELFError as error:
+    except (ELFError, struct.error, ValueError) as error:
         raise BadImage(f"{path} is a damaged ELF: {error}") from error
     image.symbols.sort()
     return image
@@ -144,17 +152,32 @@ def place(image: Image, address: int, data: bytes) -> None:
         image.eeprom.append((address - EEPROM, data))
 
 
-def symbols_in(section: SymbolTableSection) -> list[Symbol]:
+class Entry(NamedTuple):
+    """Of a table of symbols. elftools takes as long for one as this for all."""
+
+    name: str
+    value: int
+    size: int
+    kind: int
+    section: int  # its number; 0: none; from SPECIAL on it is of no section
+
+    @classmethod
+    def all_of(cls, table: SymbolTableSection) -> Iterator[Entry]:
+        names = table.stringtable.data()
+        for name, value, size, info, _, section in ENTRY.iter_unpack(table.data()):
+            yield cls(names[name : names.index(0, name)].decode(), value, size, info & 0xF, section)
+
+
+def symbols_in(table: SymbolTableSection) -> list[Symbol]:
     raw = []
-    for entry in section.iter_symbols():
-        kind, value = entry["st_info"]["type"], entry["st_value"]
+    for name, value, size, kind, section in Entry.all_of(table):
         in_ram = RAM <= value < EEPROM
         # Untyped labels in flash are code too: the vectors and avr-libc's assembler.
-        if kind == "STT_OBJECT" and not in_ram or kind in ("STT_SECTION", "STT_FILE"):
+        if kind == OBJECT and not in_ram or kind in (SECTION, FILE):
             continue
-        if not entry.name or entry["st_shndx"] in ("SHN_UNDEF", "SHN_ABS"):
+        if not name or section in (0, ABSOLUTE):
             continue
-        raw.append((value - RAM if in_ram else value, entry["st_size"], entry.name, in_ram))
+        raw.append((value - RAM if in_ram else value, size, name, in_ram))
     names = demangle([name for _, _, name, _ in raw])
     return [Symbol(at, size, names[n], mangled, in_ram) for n, (at, size, mangled, in_ram) in enumerate(raw)]
 

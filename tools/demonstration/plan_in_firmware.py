@@ -17,7 +17,7 @@ from elftools.elf.elffile import ELFFile
 from elftools.elf.sections import SymbolTableSection
 
 from simulation.fake_autopilot import Item, mavlink
-from simulation.mega.image import EEPROM, RAM, demangle
+from simulation.mega.image import EEPROM, OBJECT, RAM, SPECIAL, Entry, demangle
 
 # src/mavmission/item/MissionItem.h, packed as avr-gcc packs everything:
 # param1 to param4, x, y, z, command, frame, current, autocontinue.
@@ -75,22 +75,21 @@ def plans_in(elf: Path, named: str | None = None) -> list[Plan]:
         for section in image.iter_sections():
             if not isinstance(section, SymbolTableSection):
                 continue
-            for symbol in section.iter_symbols():
-                if symbol["st_info"]["type"] != "STT_OBJECT" or not isinstance(symbol["st_shndx"], int):
+            for symbol, value, size, kind, number in Entry.all_of(section):
+                if kind != OBJECT or not 0 < number < SPECIAL:
                     continue
-                size = symbol["st_size"]
                 if size == 0 or size % LAYOUT.size:
                     continue
-                place = image.get_section(symbol["st_shndx"])
+                place = image.get_section(number)
                 if place["sh_type"] != "SHT_PROGBITS":  # .bss: zeros are no plan
                     continue
-                start = symbol["st_value"] - place["sh_addr"]
+                start = value - place["sh_addr"]
                 contents = place.data()[start : start + size]
-                name = demangle([symbol.name])[0].rpartition("::")[2]
+                name = demangle([symbol])[0].rpartition("::")[2]
                 if not all(is_plausible(item, name == named) for item in unpacked(contents)):
                     continue
-                in_ram = RAM <= symbol["st_value"] < EEPROM
-                address = symbol["st_value"] - (RAM if in_ram else 0)
+                in_ram = RAM <= value < EEPROM
+                address = value - (RAM if in_ram else 0)
                 found.append(Plan(name, address, size, in_ram, contents))
     return found
 

@@ -3,11 +3,12 @@ the browser."""
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 from pathlib import Path
 
-from building import ROOT
-from simulation.firmware import library_file
+from building import BUILD, ROOT
+from simulation.firmware import LIBRARY, digest, exclusive, headers_digests, library_file
 
 SOURCES = (
     ROOT / "simulation" / "hearing" / "Hearing.cpp",
@@ -28,16 +29,31 @@ class NotCompiled(Exception):
 
 
 def compile_hearing(target: Path) -> None:
+    """Kept until the compiler, its flags or what it reads change."""
     command = [
         "clang++", "--target=wasm32-wasi", "-std=c++11", "-O2", "-Wall", "-Wextra", "-Werror", "-fno-exceptions",
         "-fno-rtti", "-mexec-model=reactor", "-nostdlib++", f"-I{ROOT / 'src'}",
         # MAVLink's headers include it where structures are packed, and so would pack the C library's.
         "-include", "stdio.h",
-        *map(str, SOURCES), "-o", str(target), "-Wl,--strip-all", *(f"-Wl,--export={name}" for name in EXPORTS),
+        *map(str, SOURCES), "-Wl,--strip-all", *(f"-Wl,--export={name}" for name in EXPORTS),
     ]  # fmt: skip
+    sources = (source.read_bytes() for source in SOURCES)
+    headers = headers_digests([LIBRARY, ROOT / "simulation" / "hearing"])
+    kept = BUILD / "playground" / f"hearing-{digest(ran(['clang++', '--version']), *command, *sources, headers)[:16]}"
+    with exclusive(kept):
+        if not kept.exists():
+            fresh = kept.with_suffix(".new")
+            ran([*command, "-o", str(fresh)])
+            fresh.replace(kept)
+    shutil.copyfile(kept, target)
+
+
+def ran(command: list[str]) -> str:
+    """What it says. Raises NotCompiled."""
     try:
         said = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
         raise NotCompiled("clang++ does not start: run tools/setup playground") from error
     if said.returncode != 0:
         raise NotCompiled(said.stderr)
+    return said.stdout
