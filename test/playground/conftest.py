@@ -32,7 +32,7 @@ OPEN: list[Page] = []
 
 @pytest.hookimpl(trylast=True)
 def pytest_runtest_teardown(item, nextitem):
-    """A run goes on as long as its page is open, and takes half a processor."""
+    """The browser ends with the last test that may need it."""
     if OPEN and (nextitem is None or nextitem.path.parent != item.path.parent):
         OPEN.pop().browser.close()
 
@@ -45,4 +45,5 @@ def page(server):
         OPEN[0].open()
     OPEN[0].browser.complaints()
     yield OPEN[0]
+    OPEN[0].rest()  # a run takes half a processor
     assert OPEN[0].browser.complaints() == []

@@ -1,7 +1,11 @@
-"""Examples that arm fly in the page to their end: its far end of the line, beside the tests' own Mega."""
+"""Examples that arm fly in the page to their end: its far end of the line, beside the tests' own Mega.
+
+Each beside one of the two autopilots, in turn: that it flies beside both is said by test/documents.
+"""
 
 from __future__ import annotations
 
+import itertools
 import json
 
 import pytest
@@ -38,8 +42,7 @@ class Hand:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
-@pytest.mark.parametrize("example", FLOWN)
+@pytest.mark.parametrize(("example", "autopilot"), [*zip(FLOWN, itertools.cycle(["ardupilot", "px4"]))])
 def test_example_that_arms_flies_in_the_page_to_its_end(example, autopilot):
     mega = Mega(build_sketch(example).elf)
     settings = {"autopilot": autopilot, "loss": 0, "bytes": 0, "seed": 1, "hz": mega.hz, "arms": True,

@@ -13,7 +13,8 @@ from examples import sketch_of
 from playing.compiling import LONGEST, compiled, errors_in
 from playing.serving import Server
 
-SKETCH = """#include <MavMissionMonitor.h>
+SKETCH = """#include <MavMission.h>
+#include <MavMissionMonitor.h>
 void setup() {
   CONSOLE.begin(115200);
   CONSOLE.println(F("written in the page"));
@@ -72,7 +73,7 @@ def test_what_is_compiled_is_what_the_builder_makes_of_the_same_text(server):
 def test_a_mistake_is_told_with_its_line():
     wrong = SKETCH.replace("println", "printline")
     ((line, words),) = compiled(wrong)["errors"]
-    assert line == 4 and "printline" in words
+    assert line == 5 and "printline" in words
 
 
 @pytest.mark.slow
@@ -91,7 +92,7 @@ def test_a_sketch_is_written_compiled_and_run_in_the_page(page):
     page.begin("#example=UploadMission")
     page.browser.wait_for("return document.getElementById('source').value.includes('returnToLaunch()')")
     page.browser.run(WRITE, SKETCH.replace("println", "printline"))
-    page.wait_for_text("#errors", "line 4: ")
+    page.wait_for_text("#errors", "line 5: ")
     assert page.value("document.getElementById('source').value.slice(document.getElementById('source').selectionStart)"
                       ".startsWith('  CONSOLE.printline')")  # fmt: skip
     page.browser.run(WRITE, SKETCH)

@@ -12,8 +12,6 @@ import pytest
 
 from building import BUILD, Built, build_sketch
 from examples import sketch_of
-from played import Page
-from playing.browser import Browser
 
 HERE = Path(__file__).resolve().parent
 PINS = HERE / "pins.mjs"
@@ -88,16 +86,13 @@ def test_a_servo_turns_on_the_page_and_is_told_in_words(page):
 
 
 @pytest.mark.slow
-def test_plan_from_sd_uploads_the_plan_on_the_card_of_the_page(server):
-    with Browser() as browser:  # anew: the card holds the plan that was dropped last
-        page = Page(browser, server)
-        page.open("#example=UploadMission&autopilot=px4")
-        page.browser.type("#file", str(with_card().hex))
-        page.wait_for_text("#console", "accepted: the plan is aboard")
-        assert page.browser.text("#console").startswith("items: 5")
-        page.drop("mine.waypoints", LONG)
-        page.wait_for_text("#outcome", "PlanConsole has verified and started it.")
-        page.browser.type("#file", str(with_card().hex))
-        page.wait_for_text("#console", "items: 60")
-        page.wait_for_text("#outcome", "All 60 items are aboard PX4")
-        assert browser.complaints() == []
+def test_plan_from_sd_uploads_the_plan_on_the_card_of_the_page(page):
+    page.load("#example=UploadMission&autopilot=px4")  # anew: the card holds the plan that was dropped last
+    page.browser.type("#file", str(with_card().hex))
+    page.wait_for_text("#console", "accepted: the plan is aboard")
+    assert page.browser.text("#console").startswith("items: 5")
+    page.drop("mine.waypoints", LONG)
+    page.wait_for_text("#outcome", "PlanConsole has verified and started it.")
+    page.browser.type("#file", str(with_card().hex))
+    page.wait_for_text("#console", "items: 60")
+    page.wait_for_text("#outcome", "All 60 items are aboard PX4")

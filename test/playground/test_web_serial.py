@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
 from played import Page
@@ -11,8 +13,9 @@ from simulation.fake_autopilot.frames import FrameSplitter, decode
 
 pytestmark = pytest.mark.slow
 
+LOOKS_EVERY_S = 0.02
 PLACE = (-353632621, 1491652374, 584.0)
-ABSENT = "delete Navigator.prototype.serial;"
+ABSENT = "?absent"  # in an address: for a browser without serial ports
 PLAYED = """
   window.asked = 0;
   window.toPort = [];
@@ -26,46 +29,52 @@ PLAYED = """
     async close() { window.opened = null; },
   };
   const serial = { async requestPort() { window.asked++; return port; } };
-  Object.defineProperty(Navigator.prototype, "serial", { get: () => serial, configurable: true });
+  if (location.search) delete Navigator.prototype.serial;
+  else Object.defineProperty(Navigator.prototype, "serial", { get: () => serial, configurable: true });
 """
-SAY = "window.fromPort.enqueue(Uint8Array.from(arguments[0]))"
+EXCHANGE = """
+if (arguments[0].length) window.fromPort.enqueue(Uint8Array.from(arguments[0]));
+const clock = Number(document.getElementById("clock").textContent.split(" ")[0]) || 0;
+return [clock, window.toPort.splice(0), document.getElementById("outcome").innerText];
+"""
 
 
 def exchange(browser: Browser, autopilot: Px4, until: str, limit_s: float = 30.0) -> list:
     """Let the autopilot be at the port until the page says so; what the Mega said to it. The page keeps the time."""
-    clock = "return [Number(document.getElementById('clock').textContent.split(' ')[0]) || 0, window.toPort.splice(0)]"
     splitter = FrameSplitter()
-    said, now = [], 0.0
-    while until not in browser.text("#outcome"):
-        shown, heard = browser.run(clock)
+    said, now, arriving, outcome = [], 0.0, b"", ""
+    while until not in outcome:
+        time.sleep(LOOKS_EVERY_S)
+        shown, heard, outcome = browser.run(EXCHANGE, list(arriving))
         now = max(now + 0.01, shown)
         assert now < limit_s, f"not within {limit_s} s: {until}"
         autopilot.receive(bytes(heard), now)
         arriving = autopilot.run(now)
-        if arriving:
-            browser.run(SAY, list(arriving))
         said += [decode(frame) for frame, whole in splitter.feed(bytes(heard)) if whole]
     return said
 
 
-def test_without_web_serial_the_button_says_so(server):
-    with Browser() as browser:
-        browser.before_each_page(ABSENT)
-        browser.go(server.address)
-        browser.wait_for("return document.getElementById('example').options.length > 1")
-        assert browser.run("return document.getElementById('pixhawk').disabled")
-        browser.run("document.getElementById('real').open = true")
-        assert browser.text("#pixhawk-says") == "This browser has no Web Serial: Chrome and Edge on a computer have it."
-        assert browser.complaints() == []
+@pytest.fixture(scope="module")
+def browser():
+    with Browser() as one:
+        one.before_each_page(PLAYED)
+        yield one
+
+
+def test_without_web_serial_the_button_says_so(browser, server):
+    browser.go(server.address + ABSENT)
+    browser.wait_for("return document.getElementById('example').options.length > 1")
+    assert browser.run("return document.getElementById('pixhawk').disabled")
+    browser.run("document.getElementById('real').open = true")
+    assert browser.text("#pixhawk-says") == "This browser has no Web Serial: Chrome and Edge on a computer have it."
+    assert browser.complaints() == []
 
 
 @pytest.fixture(scope="module")
-def page(server):
-    with Browser() as browser:
-        browser.before_each_page(PLAYED)
-        page = Page(browser, server)
-        page.open("#example=StartMission&autopilot=outside&port=1")
-        yield page
+def page(browser, server):
+    page = Page(browser, server)
+    page.open("#example=StartMission&autopilot=outside&port=1")
+    return page
 
 
 def test_an_address_opens_no_port(page):

@@ -39,6 +39,10 @@ history.replaceState(null, "", arguments[0]);
 dispatchEvent(new HashChangeEvent("hashchange"));
 document.getElementById("again").click();
 """
+_REST = """
+const pause = document.getElementById("pause");
+if (pause.textContent === "Pause") pause.click();
+"""
 _DROP = """
 const [name, text] = arguments;
 const data = new DataTransfer();
@@ -77,11 +81,9 @@ class Page:
         self.address = server.address
 
     def open(self, hash_: str = "") -> None:
-        """From the server, until the autopilot has loaded."""
-        self.browser.go("about:blank")
+        """From the server, until the autopilot has loaded; what is seen meanwhile is kept."""
         self.browser.requests()
-        self.browser.go(self.address + hash_)
-        self.browser.wait_for("return document.body.dataset.shownMs", STARTS_S)
+        self.load(hash_, "shownMs")
         self.first_words = self.outcome  # while the autopilot loads
         self.first_shown = self.on_map(".grid") + self.on_map(".point.meant")
         self.first_places = self.places
@@ -92,6 +94,16 @@ class Page:
         self.ready_s = int(self.value("document.body.dataset.readyMs")) / 1000
         self.asked_for = [address for address in self.browser.requests()
                           if not address.startswith(("chrome", "data:", "about:"))]  # fmt: skip
+
+    def load(self, hash_: str, until: str = "readyMs") -> None:
+        """The whole page anew."""
+        self.browser.go("about:blank")
+        self.browser.go(self.address + hash_)
+        self.browser.wait_for(f"return document.body.dataset.{until}", STARTS_S)
+
+    def rest(self) -> None:
+        """Pause the run, until begin()."""
+        self.browser.run(_REST)
 
     def begin(self, hash_: str) -> None:
         """Another address on the same page: everything begins anew."""
