@@ -105,6 +105,16 @@ def address(site):
     server.close()
 
 
+@pytest.fixture(scope="module")
+def browser():
+    with Browser() as one:
+        yield one
+
+
+def resize(browser: Browser, width: int) -> None:
+    browser.resize(width, WIDTHS[width], phone=width < 500)
+
+
 @pytest.mark.slow
 def test_site_has_the_pages_that_are_looked_at_the_search_and_the_playground(site):
     for name in [*LOOKED_AT, "search.json", "playground/index.html", "playground/examples/UploadMission.hex"]:
@@ -136,18 +146,18 @@ def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(site):
 
 
 @pytest.mark.slow
-def test_each_page_fits_a_phone_and_a_desk_and_asks_no_other_host(address):
-    with Browser() as browser:
-        for width, height in WIDTHS.items():
-            browser.resize(width, height, phone=width < 500)
-            for name in LOOKED_AT:
-                browser.go(address + name)
-                browser.wait_for("return document.readyState == 'complete'")
-                assert browser.run("return document.documentElement.scrollWidth") <= width, (name, width)
-        assert [said for said in browser.complaints() if "favicon.ico" not in said] == []
-        asked = [url for url in browser.requests() if re.match(r"(http|ws)s?:", url)]
-        assert len(asked) > len(LOOKED_AT)
-        assert [url for url in asked if not url.startswith(address)] == []
+def test_each_page_fits_a_phone_and_a_desk_and_asks_no_other_host(browser, address):
+    browser.requests()
+    for width in WIDTHS:
+        resize(browser, width)
+        for name in LOOKED_AT:
+            browser.go(address + name)
+            browser.wait_for("return document.readyState == 'complete'")
+            assert browser.run("return document.documentElement.scrollWidth") <= width, (name, width)
+    assert [said for said in browser.complaints() if "favicon.ico" not in said] == []
+    asked = [url for url in browser.requests() if re.match(r"(http|ws)s?:", url)]
+    assert len(asked) > len(LOOKED_AT)
+    assert [url for url in asked if not url.startswith(address)] == []
 
 
 # Words of code in a table that are shown in two pieces.
@@ -160,13 +170,12 @@ BROKEN = """return [...document.querySelectorAll("td code")].flatMap(code => {
 
 
 @pytest.mark.slow
-def test_words_of_code_in_a_table_stay_whole_on_a_phone(address):
-    with Browser() as browser:
-        browser.resize(390, WIDTHS[390], phone=True)
-        browser.go(f"{address}docs/compiling.html")
-        browser.wait_for("return document.readyState == 'complete'")
-        assert browser.run("return document.querySelectorAll('td code').length") > 30
-        assert browser.run(BROKEN) == []
+def test_words_of_code_in_a_table_stay_whole_on_a_phone(browser, address):
+    resize(browser, 390)
+    browser.go(f"{address}docs/compiling.html")
+    browser.wait_for("return document.readyState == 'complete'")
+    assert browser.run("return document.querySelectorAll('td code').length") > 30
+    assert browser.run(BROKEN) == []
 
 
 ON_A_DISK = "file"  # the site's folder, as a browser opens it without a server
@@ -176,22 +185,22 @@ TRIED = "Loading the script 'data:text/javascript,' violates"
 
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["http", ON_A_DISK])
-def test_playground_of_the_site_flies(site, address, scheme):
-    with Browser() as browser:
-        browser.go(f"{f'{site.as_uri()}/' if scheme == ON_A_DISK else address}playground/index.html")
-        browser.wait_for("return document.querySelector('#outcome').innerText.includes('are aboard ArduPilot as they')")
-        assert [said for said in browser.complaints() if TRIED not in said] == []
+def test_playground_of_the_site_flies(browser, site, address, scheme):
+    resize(browser, 1400)
+    browser.complaints()
+    browser.go(f"{f'{site.as_uri()}/' if scheme == ON_A_DISK else address}playground/index.html")
+    browser.wait_for("return document.querySelector('#outcome').innerText.includes('are aboard ArduPilot as they')")
+    assert [said for said in browser.complaints() if TRIED not in said] == []
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("width", "scheme"), [*((width, "http") for width in WIDTHS), (1400, ON_A_DISK)])
-def test_search_finds_a_page_by_its_words(site, address, width, scheme):
-    with Browser() as browser:
-        browser.resize(width, WIDTHS[width], phone=width < 500)
-        browser.go(f"{f'{site.as_uri()}/' if scheme == ON_A_DISK else address}index.html")
-        browser.wait_for("return document.readyState == 'complete' && document.querySelector('.md-search__button')")
-        browser.run("document.querySelector('.md-search__button').click()")
-        browser.wait_for(f"{FOUND} != ''")
-        for letter in "passphrase":
-            browser.press(letter)
-        browser.wait_for(FOUND.replace("return", "return (") + ").includes('A signed link')")
+def test_search_finds_a_page_by_its_words(browser, site, address, width, scheme):
+    resize(browser, width)
+    browser.go(f"{f'{site.as_uri()}/' if scheme == ON_A_DISK else address}index.html")
+    browser.wait_for("return document.readyState == 'complete' && document.querySelector('.md-search__button')")
+    browser.run("document.querySelector('.md-search__button').click()")
+    browser.wait_for(f"{FOUND} != ''")
+    for letter in "passphrase":
+        browser.press(letter)
+    browser.wait_for(FOUND.replace("return", "return (") + ").includes('A signed link')")
