@@ -2,6 +2,7 @@
 
 import gc
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -12,6 +13,12 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = False
 sys.pycache_prefix = os.environ["PYTHONPYCACHEPREFIX"] = str(ROOT / "build" / "pycache")
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
+# Tools are started by their first line, and a python3 of pyenv is a script that looks for the right one: three times
+# the processor time of a tool that only answers.
+PYTHON = Path(sys.base_prefix, "bin", "python3")
+if Path(shutil.which("python3") or PYTHON).resolve() != PYTHON.resolve():
+    os.environ["PATH"] = f"{PYTHON.parent}:{os.environ['PATH']}"
 
 # Hypothesis would keep its examples beside the sources.
 os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypothesis"))
