@@ -1,10 +1,10 @@
-"""What cppcheck and clang-tidy find in the library and in the host tests' programs.
+"""What clang-tidy finds in the library.
 
-    findings(CLANG_TIDY, LIBRARY_UNITS)   # [] or the tools' own words, a text for each source
+    findings(LIBRARY_UNITS)   # [] or its own words, a text for each source
 
 Many sources are looked at as one (simulation/together.py). Where something is found there, each is looked at alone, and
-what is said of it then counts. What was found clean is looked at again when it, anything that it includes, the tool or
-its options have changed: what was clean is noted under build/analysis.
+what is said of it then counts. What was found clean is looked at again when it, anything that it includes, clang-tidy
+or its options have changed: what was clean is noted under build/analysis.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import subprocess
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import NamedTuple
 
 from simulation.firmware import LIBRARY, ROOT, digest, library_sources
 from simulation.host_build import HOST, SHIM
@@ -24,73 +23,50 @@ from simulation.together import as_one, groups
 
 OUTPUT = ROOT / "build" / "analysis"
 TIDY_CHECKS = ROOT / ".clang-tidy"
-SUPPRESSED = ROOT / "test" / "cppcheck_suppressions.txt"
-PLACES = [f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
 VENDORED = LIBRARY / "mavmission" / "mavlink"
-# Both with what is compiled in only where a sketch asks for it.
-WITH_ALL = ["-DMAVMISSION_SIGNING=1"]
+# With what is compiled in only where a sketch asks for it.
+COMPILED = ["--", "-x", "c++", "-std=c++11", "-DMAVMISSION_SIGNING=1", f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
 
 LIBRARY_UNITS = library_sources()
-
-
-class Tool(NamedTuple):
-    name: str
-    before: list[str]  # its options
-    after: list[str]  # behind the source
-    settings: Path  # the file of its checks
-
-
-CPPCHECK = Tool(
-    "cppcheck",
-    ["--quiet", "--language=c++", "--std=c++11", "--enable=warning,performance,portability", "--inline-suppr",
-     "--max-configs=1", "--error-exitcode=1", f"--suppressions-list={SUPPRESSED}", f"--suppress=*:{VENDORED}/*",
-     "-D__cplusplus=201103L", *WITH_ALL, *PLACES],
-    [],
-    SUPPRESSED,
-)  # fmt: skip
-CLANG_TIDY = Tool(
-    "clang-tidy",
-    ["--quiet", f"--config-file={TIDY_CHECKS}"],
-    ["--", "-x", "c++", "-std=c++11", *WITH_ALL, *PLACES],
-    TIDY_CHECKS,
-)
+MOST = 64  # that are looked at together
 
 
 class ToolMissing(Exception):
     """It does not start; the text says what to do."""
 
 
-def findings(tool: Tool, sources: Sequence[Path]) -> list[str]:
+def findings(sources: Sequence[Path]) -> list[str]:
     with ThreadPoolExecutor(os.cpu_count()) as workers:
-        of_groups = [*workers.map(functools.partial(look_at_all, tool), groups(sources))]
-        suspects = [source for group, said in zip(groups(sources), of_groups, strict=True) if said for source in group]
-        return [said for said in workers.map(functools.partial(look_at, tool), suspects) if said]
+        together = groups(sources, MOST)
+        of_groups = workers.map(look_at_all, together)
+        suspects = [source for group, said in zip(together, of_groups, strict=True) if said for source in group]
+        return [said for said in workers.map(look_at, suspects) if said]
 
 
-def look_at_all(tool: Tool, sources: Sequence[Path]) -> str:
-    """What the tool says of sources that compile as one."""
+def look_at_all(sources: Sequence[Path]) -> str:
+    """What it says of sources that compile as one."""
     if len(sources) == 1:
-        return look_at(tool, sources[0])
-    # Both speak of included files too; clang-tidy of those alone that it is told.
+        return look_at(sources[0])
+    # Of included files it speaks where it is told.
     told = [f"--header-filter={headers_to_look_at()}|({'|'.join(re.escape(str(source)) for source in sources)})$"]
-    return look_at(tool, as_one(sources), told if tool is CLANG_TIDY else [])
+    return look_at(as_one(sources), told)
 
 
 def headers_to_look_at() -> str:
     return re.search(r"^HeaderFilterRegex: '(.*)'$", TIDY_CHECKS.read_text(), re.M)[1]
 
 
-def look_at(tool: Tool, source: Path, told: Sequence[str] = ()) -> str:
-    """What the tool says of one source; nothing if it is clean."""
-    command = [tool.name, *tool.before, *told, str(source), *tool.after]
+def look_at(source: Path, told: Sequence[str] = ()) -> str:
+    """What it says of one source; nothing if it is clean."""
+    command = ["clang-tidy", "--quiet", f"--config-file={TIDY_CHECKS}", *told, str(source), *COMPILED]
     contents = (file.read_bytes() for file in (source, *all_headers()))
-    key = digest(version(tool.name), *command, tool.settings.read_bytes(), *contents)
-    clean = OUTPUT / f"{tool.name}-{source.stem}-{key[:16]}"
+    key = digest(version(), *command, TIDY_CHECKS.read_bytes(), *contents)
+    clean = OUTPUT / f"{source.stem}-{key[:16]}"
     if clean.exists():
         return ""
     ran = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
     if ran.returncode != 0:
-        return f"{ran.stdout}{ran.stderr}".strip() or f"{tool.name} {source} failed without a word"
+        return f"{ran.stdout}{ran.stderr}".strip() or f"clang-tidy {source} failed without a word"
     OUTPUT.mkdir(parents=True, exist_ok=True)
     clean.touch()
     return ""
@@ -102,8 +78,8 @@ def all_headers() -> list[Path]:
 
 
 @functools.cache
-def version(name: str) -> str:
+def version() -> str:
     try:
-        return subprocess.run([name, "--version"], capture_output=True, text=True, check=True).stdout
+        return subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     except (OSError, subprocess.CalledProcessError) as error:
-        raise ToolMissing(f"{name} does not start: run tools/setup test") from error
+        raise ToolMissing("clang-tidy does not start: run tools/setup test") from error
