@@ -157,7 +157,6 @@ void Sha256::doRounds(uint8_t first) {
     *--v = t + sum0(a) + majority;
   }
   // The ranges touch, but do not overlap: eight words of 4 bytes each.
-  // cppcheck-suppress overlappingWriteFunction
   memcpy(window_ + 8, window_, 8 * sizeof *window_);
 }
 
