@@ -10,9 +10,6 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-// As setSpeed(): no mode is set, and COMMAND_ACK is the end. Its command is filled here.
-constexpr OrderRow kAdjusting = {OrderMode::AsShown, kHasCommand | kAdjusts};
-
 constexpr float kMostDegrees = 360, kMostSpeed = 20;
 constexpr float kLeastSpeed = __FLT_DENORM_MIN__;  // above 0
 
@@ -39,7 +36,7 @@ int32_t hundredths(float value) {
 }  // namespace
 
 Status Adjustments::begin(Kind kind, float value, float turn) {
-  const Status status = steering_.begin(kAdjusting);
+  const Status status = steering_.begin(rowOf(Order::Adjust));
   if (status == Status::Busy) return status;
   steering_.client_.commands().takeOver(fill, on, this);
   kind_ = kind;

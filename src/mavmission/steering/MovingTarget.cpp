@@ -33,9 +33,6 @@ constexpr uint16_t kPlaceAlone = POSITION_TARGET_TYPEMASK_VX_IGNORE | POSITION_T
                                  POSITION_TARGET_TYPEMASK_AY_IGNORE | POSITION_TARGET_TYPEMASK_AZ_IGNORE |
                                  POSITION_TARGET_TYPEMASK_YAW_IGNORE | POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
 
-// The steps of a goTo() without a place: its command is never sent, since a mode is set in that place.
-constexpr OrderRow kStream = {OrderMode::FlyingTo, kRepositions | kHasCommand};
-
 }  // namespace
 
 MovingTarget::MovingTarget(Steering& steering) : MovingTarget(steering, nullptr) {}
@@ -84,7 +81,7 @@ Status MovingTarget::start(const LatLon& place, Altitude altitude) {
 // The same, with a target that is no place.
 Status MovingTarget::startOther() {
   if (stage_ != Stage::Off) return Status::Busy;
-  const Status status = steering_.begin(kStream);
+  const Status status = steering_.begin(rowOf(Order::Stream));
   if (status != Status::Busy) begin();
   return status;
 }

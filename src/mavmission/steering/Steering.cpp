@@ -36,7 +36,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   ownMode_ = oldMode_ = kNoMode;
   change_.begin(kNoMode, kNoMode);
   beganS_ = 0;
-  row_ = OrderRow{OrderMode::None, 0};
+  row_ = OrderRow();
   frame_ = CoordinateFrame::Global;
   step_ = SteerStep::None;
   refusal_ = Status::Idle;

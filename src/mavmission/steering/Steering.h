@@ -161,7 +161,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   void fillCommand(FlightCommand& command) const;
   void findWanted();
   bool isRunning() const;
-  bool is(detail::OrderTrait trait) const { return (row_.traits & trait) != 0; }
+  bool is(detail::OrderTrait trait) const { return (row_.bits & trait) != 0; }
   detail::Vehicle vehicle() const { return detail::vehicleOf(client_.autopilot().vehicleType()); }
   bool isPlane() const;
   MAVMISSION_APART uint16_t shownMode() const;

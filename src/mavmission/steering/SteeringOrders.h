@@ -18,46 +18,61 @@ enum class OrderMode : uint8_t {
   LandingHere  // LAND
 };
 
+// The command that an order sends. Steering::fillCommand() has a branch for each, which the compiler demands.
+enum class OrderCommand : uint8_t {
+  None,         // the mode is all of the order
+  TakeOff,      // MAV_CMD_NAV_TAKEOFF
+  Reposition,   // MAV_CMD_DO_REPOSITION
+  ChangeSpeed,  // MAV_CMD_DO_CHANGE_SPEED: its number is a speed
+  Other         // whoever begins the order fills it (CommandPort::takeOver())
+};
+
+// In one byte beside an OrderCommand, of which there may be eight. The last two follow from the mode: they make room
+// for further traits, at the cost of some bytes of flash.
 enum OrderTrait : uint8_t {
-  kTakesHeight = 1 << 0,  // its number is a height, which becomes the target of hasArrived()
-  kTakesPlace = 1 << 1,   // the sketch names a place
-  kTakesSpeed = 1 << 2,   // its number is a speed
-  kFromGround = 1 << 3,   // it sets the mode, arms, and sends MAV_CMD_NAV_TAKEOFF; every other order is for the air
-  kRepositions = 1 << 4,  // it sends MAV_CMD_DO_REPOSITION
-  kStopsHere = 1 << 5,    // its place is where the aircraft is
-  kHasCommand = 1 << 6,   // it always sends a command; without this trait, the mode may be all of the order
+  kTakesHeight = 1 << 3,  // its number is a height, which becomes the target of hasArrived()
+  kTakesPlace = 1 << 4,   // the sketch names a place
+  kStopsHere = 1 << 5,    // its place is where the aircraft is, if it does not stop by a mode
+  kFromGround = 1 << 6,   // it sets the mode and arms before its command; every other order is for the air
   kAdjusts = 1 << 7,      // it changes how the aircraft flies, not where: mode and target stay, COMMAND_ACK is the end
 };
 
 struct OrderRow {
   OrderMode mode;
-  uint8_t traits;  // an or of OrderTrait
+  uint8_t bits;
+
+  constexpr OrderRow(OrderMode mode = OrderMode::None, OrderCommand command = OrderCommand::None, uint8_t traits = 0)
+      : mode(mode), bits(static_cast<uint8_t>(static_cast<uint8_t>(command) | traits)) {}
+
+  constexpr OrderCommand command() const { return static_cast<OrderCommand>(bits & 7); }
 };
 
-enum class Order : uint8_t { TakeOff, GoTo, Pause, Resume, ReturnHome, Land, Speed };
+enum class Order : uint8_t { TakeOff, GoTo, Pause, Resume, ReturnHome, Land, Speed, Stream, Adjust };
 
 // In the order of Order.
 constexpr OrderRow kOrders[] = {
-    {OrderMode::TakingOff, kTakesHeight | kFromGround | kHasCommand},
-    {OrderMode::FlyingTo, kTakesHeight | kTakesPlace | kRepositions | kHasCommand},
-    {OrderMode::FlyingTo, kRepositions | kStopsHere},
-    {OrderMode::Mission, 0},
-    {OrderMode::Returning, 0},
-    {OrderMode::LandingHere, 0},
-    {OrderMode::AsShown, kTakesSpeed | kHasCommand | kAdjusts},
+    {OrderMode::TakingOff, OrderCommand::TakeOff, kTakesHeight | kFromGround},
+    {OrderMode::FlyingTo, OrderCommand::Reposition, kTakesHeight | kTakesPlace},
+    {OrderMode::FlyingTo, OrderCommand::Reposition, kStopsHere},
+    {OrderMode::Mission, OrderCommand::None},
+    {OrderMode::Returning, OrderCommand::None},
+    {OrderMode::LandingHere, OrderCommand::None},
+    {OrderMode::AsShown, OrderCommand::ChangeSpeed, kAdjusts},
+    {OrderMode::FlyingTo, OrderCommand::Reposition},  // a MovingTarget: in its place a mode is set, or targets leave
+    {OrderMode::AsShown, OrderCommand::Other, kAdjusts},
 };
-static_assert(sizeof(kOrders) / sizeof(kOrders[0]) == static_cast<uint8_t>(Order::Speed) + 1,
+static_assert(sizeof(kOrders) / sizeof(kOrders[0]) == static_cast<uint8_t>(Order::Adjust) + 1,
               "each order has a row; Order's last name stands here");
 
-// A row that has no mode, or whose command is none of those that Steering knows, would be an order that does nothing.
+// A row that sets no mode and sends no command would be an order that does nothing.
 constexpr bool isWhole(OrderRow row) {
-  return row.mode != OrderMode::None &&
-         ((row.traits & kHasCommand) == 0 || (row.traits & (kTakesSpeed | kFromGround | kRepositions)) != 0);
+  return row.mode != OrderMode::None && (row.mode != OrderMode::AsShown || row.command() != OrderCommand::None);
 }
 constexpr bool areWhole(uint8_t count) {
   return count == 0 || (isWhole(kOrders[count - 1]) && areWhole(static_cast<uint8_t>(count - 1)));
 }
-static_assert(areWhole(sizeof(kOrders) / sizeof(kOrders[0])), "each row names a mode, and the command that it sends");
+static_assert(areWhole(sizeof(kOrders) / sizeof(kOrders[0])),
+              "each row names a mode, or the command that it sends in any");
 
 constexpr OrderRow rowOf(Order order) { return kOrders[static_cast<uint8_t>(order)]; }
 

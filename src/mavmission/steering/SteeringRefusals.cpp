@@ -88,7 +88,7 @@ Status Steering::refusePlace(const LatLon& at, CoordinateFrame frame) {
 }
 
 Status Steering::refuseNumbers() {
-  if (is(kTakesSpeed)) {
+  if (row_.command() == OrderCommand::ChangeSpeed) {
     const Status refusal = refuseNumber(value_, ItemField::Param2);
     if (refusal != Status::Transferring) return refusal;
     // As bits larger numbers are larger, and those below 0 are below 0.

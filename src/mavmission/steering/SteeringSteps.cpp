@@ -86,7 +86,7 @@ bool Steering::stopsByPlace() const {
   return is(kStopsHere) && (oldMode_ == change_.wanted() || has(client_.autopilot().firmware(), kUnsetPlaceIsHere));
 }
 
-bool Steering::hasCommand() const { return is(kHasCommand) || stopsByPlace(); }
+bool Steering::hasCommand() const { return is(kStopsHere) ? stopsByPlace() : row_.command() != OrderCommand::None; }
 
 // True if the command is made of the present position. (PX4 knows by itself where it is.)
 bool Steering::wantsPosition() const {
@@ -198,25 +198,27 @@ void Steering::fillCommand(FlightCommand& command) const {
   }
   command.param1 = -1;
   command.param4 = unset;
-  if (is(kTakesSpeed)) {
-    command.id = MAV_CMD_DO_CHANGE_SPEED;
-    command.param1 = SPEED_TYPE_GROUNDSPEED;
-    command.param2 = value_;
-    command.param3 = -1;
-    command.param4 = 0;
-    return;
+  switch (row_.command()) {
+    case OrderCommand::ChangeSpeed:
+      command.id = MAV_CMD_DO_CHANGE_SPEED;
+      command.param1 = SPEED_TYPE_GROUNDSPEED;
+      command.param2 = value_;
+      command.param3 = -1;
+      command.param4 = 0;
+      return;
+    case OrderCommand::TakeOff:
+      command.id = MAV_CMD_NAV_TAKEOFF;
+      command.param7 = height;
+      if (isUnsetHere) {
+        command.param5 = command.param6 = unset;  // where it stands
+      } else {
+        command.param1 = command.param4 = 0;
+      }
+      return;
+    case OrderCommand::None:
+    case OrderCommand::Other: command.id = 0; return;  // nobody has filled it: CommandUnsupported
+    case OrderCommand::Reposition: break;
   }
-  if (is(kFromGround)) {
-    command.id = MAV_CMD_NAV_TAKEOFF;
-    command.param7 = height;
-    if (isUnsetHere) {
-      command.param5 = command.param6 = unset;  // where it stands
-    } else {
-      command.param1 = command.param4 = 0;
-    }
-    return;
-  }
-  if (!is(kRepositions)) return;  // no order has such a row; none may leave as another one
   command.id = MAV_CMD_DO_REPOSITION;
   // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
   // so it cannot take control from anybody.
@@ -269,7 +271,7 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
     case SteerStep::Command:
       // A repeated takeoff is refused by an aircraft that is taking off already.
       if (is(kFromGround) && client_.commands().sending().tries() > 1) return nextStep(nowMs);
-      if (!is(kRepositions) || shownMode() != change_.wanted()) return leave(refusal);
+      if (row_.command() != OrderCommand::Reposition || shownMode() != change_.wanted()) return leave(refusal);
       if (refusal == Status::CommandUnsupported && has(client_.autopilot().firmware(), kRefusesAndRepositions)) {
         return nextStep(nowMs);
       }
