@@ -26,8 +26,9 @@ if __name__ == "__main__":
 import pytest
 
 from planted import with_defect
-from simulation.firmware import ROOT
+from simulation.firmware import ROOT, library_sources
 from simulation.host_build import FAST, HOST, build_host
+from simulation.together import together
 
 EXPLORER = ROOT / "test" / "explorer"
 # The rest form and the next timer of a client are about its private members.
@@ -47,6 +48,8 @@ def build_explorer(library: tuple[Path, ...] | None = None, generic: int = 0) ->
     """`generic`: which firmware the library is told that a generic autopilot has."""
     sources = [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp", HOST / "ClientOnLine.cpp"]
     defines = {"MAVMISSION_GENERIC_FIRMWARE": generic} if generic else {}
+    if generic:  # nothing else is compiled so
+        library = tuple(together(library or library_sources()))
     return build_host("explorer", sources, "g++", FAST, own_flags=OWN_FLAGS, defines=defines, library=library)
 
 
@@ -350,7 +353,7 @@ DEFECTS = {
         "UploadTransfer.cpp",
         "if (state_ == State::Sending && !pace.isLossy()) return Status::Transferring;",
         "",
-        "PX4 upload 2",
+        "PX4 upload 2 --losses 8",
         "an item is sent that was not asked for",
     ),
     "the next item is sent unasked on a lossy link": (
@@ -364,7 +367,7 @@ DEFECTS = {
         "UploadTransfer.cpp",
         "case kIsTaken: return isTaken();",
         "case kIsTaken: return true;",
-        "ArduPilot upload 2 --lossy 1 --faults 1",
+        "ArduPilot upload 2 --lossy 1 --faults 1 --losses 2",
         "an item is sent that was not asked for",
     ),
     "a PX4 that is busy is asked once more, and then given up": (
@@ -420,7 +423,7 @@ DEFECTS = {
         "Ensure.cpp",
         "} else if (client.reading_.planId == client.opaqueId_.value()) {",
         "} else if (client.reading_.planId != 0) {",
-        "PX4 ensure 2 --held 2",
+        "PX4 ensure 2 --held 2 --losses 2",
         "aboard() says our plan, and it is not",
     ),
     "ensure() reads no item": (
