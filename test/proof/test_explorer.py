@@ -38,6 +38,7 @@ SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library doe
 MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
 WALKS = 100_000  # of three operations, with each autopilot
 SESSIONS = 450  # of two minutes at a console, with each autopilot
+FEWER_WALKS, FEWER_SESSIONS = 20_000, 150  # which find what is planted
 BETAFLIGHT = 1  # MAVMISSION_GENERIC_FIRMWARE
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
            "violations"]  # fmt: skip
@@ -612,14 +613,14 @@ DEFECTS = {
         "PlanFiles.cpp",
         "self.isStorable_ = !isLast;",
         "self.isStorable_ = false;",
-        f"ArduPilot walks {WALKS}",
+        f"ArduPilot walks {FEWER_WALKS}",
         "a plan is stored after the end",
     ),
     "a copy of the acceptance of what was ended is taken for another plan's": (
         "Upload.cpp",
         "return client.transfer_.hasFreed() ? Status::Unconfirmed : Status::OtherPlanAboard;",
         "return Status::OtherPlanAboard;",
-        f"PX4 walks {WALKS}",
+        f"PX4 walks {FEWER_WALKS}",
         "OtherPlanAboard, and the plan aboard is the plan meant",
     ),
     "a newer ArduPilot goes on with a COUNT of before, and is believed": (
@@ -633,35 +634,35 @@ DEFECTS = {
         "PlanConsoleCommands.cpp",
         "if (!isNotStored_ && !isIgnored_) return true;",
         "if (!isNotStored_) return true;",
-        f"PX4 typed {SESSIONS}",
+        f"PX4 typed {FEWER_SESSIONS}",
         "a plan is used, and a load or download behind it has failed",
     ),
     "a console reads the next line before the plan that it stores is stored": (
         "PlanConsole.cpp",
         "plan_.isBusy() ||",
         "",
-        f"PX4 typed {SESSIONS}",
+        f"PX4 typed {FEWER_SESSIONS}",
         "a plan is stored that is neither in the last lines nor was aboard",
     ),
     "a console takes a new plan while one is uploaded": (
         "PlanConsoleText.cpp",
         "if (!isAutopilotFree()) return ignoreText();",
         "",
-        f"PX4 typed {SESSIONS}",
+        f"PX4 typed {FEWER_SESSIONS}",
         "a plan is used, and a load or download behind it has failed",
     ),
     "a console starts the plan that was aboard before a load": (
         "PlanConsoleCommands.cpp",
         "if (console.isEarlierAboard())",
         "if (false)",
-        f"ArduPilot typed {SESSIONS}",
+        f"ArduPilot typed {FEWER_SESSIONS}",
         "what is started is not the plan that the lines have stored",
     ),
     "a console takes a long word of which the end is erased for a command": (
         "PlanConsoleCommands.cpp",
         "if (length_ == sizeof(command_)) return;  // too long, whatever is erased",
         "if (length_ == sizeof(command_) && !isErasing(c)) return;",
-        f"PX4 typed {SESSIONS}",
+        f"PX4 typed {FEWER_SESSIONS}",
         "an operation has begun, and no line asked for it",
     ),
 }  # fmt: skip

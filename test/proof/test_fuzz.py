@@ -28,8 +28,8 @@ FUZZ = ROOT / "test" / "fuzz"
 PARSER = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
 
 # target: (its other sources, the library's, inputs that are tried, the longest one [bytes])
-TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400),
-           "files": (("Evidence.cpp",), None, 25_000, 300)}  # fmt: skip
+TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 15_000, 400),
+           "files": (("Evidence.cpp",), None, 15_000, 300)}  # fmt: skip
 
 
 def build_target(target: str) -> Path:
