@@ -139,7 +139,7 @@ AROUND = (
     Subject("Steering", STEERING, is_flown=True),
     Subject("SteeringControl", STEERING, is_flown=True),
     Subject("SteeringNumbers", STEERING, is_flown=True),
-    Subject("SteeringOrders", STEERING, is_flown=True),
+    Subject("SteeringOrders", (*STEERING, "adjustments", "velocity_target"), is_flown=True),
     Subject("SteeringRefusals", STEERING, is_flown=True),
     Subject("SteeringSteps", STEERING, is_flown=True),
     Subject("TelemetryListener", ("telemetry_listeners", "telemetry_requests", "listener_values")),
