@@ -1,9 +1,10 @@
 // A loop with nothing to do most of the time, of several rounds to a turn: what it waits for is a byte, the time, a
-// pin, a register that no interrupt tells of, or a variable that the test sets.
+// pin, a register that no interrupt tells of, or a variable that the test sets; and a timer whose mode it changes.
 #include <Arduino.h>
 
-volatile uint8_t asked, timed;
+volatile uint8_t asked, timed, tuned;
 uint16_t heard, tens, pressed, answered, polled, ticks;
+volatile uint16_t overflows;
 
 static uint32_t lastMs;
 
@@ -48,11 +49,19 @@ static void tick() {
   ++ticks;
 }
 
-static void (*const parts[])() = {look, count, feel, answer, poll, tick};
+ISR(TIMER4_OVF_vect) { ++overflows; }
+
+// Each write of another mode changes when the timer overflows.
+static void tune() {
+  if (tuned) TCCR4A ^= 1 << WGM40;
+}
+
+static void (*const parts[])() = {look, count, feel, answer, poll, tick, tune};
 
 void setup() {
   pinMode(2, INPUT_PULLUP);
   pinMode(9, OUTPUT);
+  TIMSK4 = 1 << TOIE4;
   Serial1.begin(115200);
   UBRR2 = 16;  // 115200 baud, with U2X2
   UCSR2A = 1 << U2X2;

@@ -311,10 +311,13 @@ def test_a_loop_that_waits_is_the_same_without_its_rounds():
                 mega.serial(2).send(b"thing", at_cycle=mega.cycle + 1_234)
             if number % 300 == 200:
                 mega.poke_int("timed", not mega.peek_int("timed"))
+            if number % 200 == 100:
+                mega.poke_int("tuned", not mega.peek_int("tuned"))
             if number == 400:
                 mega.reset()
             seen.append((mega.cycle, port.sent(), mega.peek(0, mega.ram_end + 1), mega.deepest_stack))
-        counts = [mega.peek_int(name) for name in ("heard", "tens", "pressed", "answered", "polled", "ticks")]
+        counts = [mega.peek_int(name) for name in
+                  ("heard", "tens", "pressed", "answered", "polled", "ticks", "overflows")]
         assert min(counts) > 0, counts
         return seen
 
