@@ -38,7 +38,7 @@ SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library doe
 MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
 WALKS = 100_000  # of three operations, with each autopilot
 SESSIONS = 450  # of two minutes at a console, with each autopilot
-FEWER_WALKS, FEWER_SESSIONS = 20_000, 150  # which find what is planted
+FEWER_WALKS, FEWER_SESSIONS = 20_000, 150  # so many find each planted defect
 BETAFLIGHT = 1  # MAVMISSION_GENERIC_FIRMWARE
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
            "violations"]  # fmt: skip

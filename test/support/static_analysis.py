@@ -28,7 +28,7 @@ VENDORED = LIBRARY / "mavmission" / "mavlink"
 COMPILED = ["--", "-x", "c++", "-std=c++11", "-DMAVMISSION_SIGNING=1", f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
 
 LIBRARY_UNITS = library_sources()
-MOST = 64  # that are looked at together
+MOST = 64  # sources that clang-tidy reads as one
 
 
 class ToolMissing(Exception):
