@@ -156,8 +156,8 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
       // ArduPilot parses item 0, but then stores its own home instead, and gives back that. Who only says that it is an
       // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
       // no home can be (ReadingPlan::compare()).
-      memset(&item, 0,
-             sizeof(item));  // CoordinateFrame::Global too; copying a constant item would cost RAM for that constant
+      // All zero, CoordinateFrame::Global too. Copying a constant item would cost RAM for that constant.
+      memset(&item, 0, sizeof(item));
       item.command = kConditionDelay;
       item.autocontinue = 1;
       return Status::Accepted;
