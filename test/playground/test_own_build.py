@@ -3,8 +3,6 @@ the build's interface takes its place, and the tests' own ArduPilot speaks throu
 
 from __future__ import annotations
 
-import time
-from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -14,19 +12,20 @@ from simulation.fake_autopilot import ArduPilot
 
 pytestmark = pytest.mark.slow
 
-LOOKS_EVERY_S = 0.02
 STAND_IN = Path(__file__).with_name("stand_in.js")
 BINARY = [0, 97, 115, 109]
 GLOBAL_POSITION_INT = 33
 HOME = (-353632621, 1491652374, 584.0)
 CHOOSE = """
 const [script, binary, names] = arguments;
-window.vehicle = { started: null, heard: [] };
+window.started = null;
+window.heard = [];
+window.arrives = (bytes) => window.channel.postMessage({ bytes });
 window.channel?.close();
 window.channel = new BroadcastChannel("vehicle");
 window.channel.onmessage = ({ data: { started, heard } }) => {
-  if (started) window.vehicle.started = started;
-  else window.vehicle.heard.push(...heard);
+  if (started) window.started = started;
+  else window.heard.push(...heard);
 };
 const data = new DataTransfer();
 for (const [name, text] of [[names[0], script], [names[1], Uint8Array.from(binary)]]) {
@@ -35,11 +34,6 @@ for (const [name, text] of [[names[0], script], [names[1], Uint8Array.from(binar
 const chooser = document.getElementById("build");
 chooser.files = data.files;
 chooser.dispatchEvent(new Event("change"));
-"""
-EXCHANGE = """
-const clock = Number(document.getElementById("clock").textContent.split(" ")[0]) || 0;
-if (arguments[0].length) window.channel.postMessage({ bytes: arguments[0] });
-return [clock, window.vehicle.heard.splice(0), document.getElementById("outcome").innerText];
 """
 
 
@@ -57,24 +51,10 @@ def choose(page: Page, names: tuple[str, str] = ("arducopter.js", "arducopter.wa
     page.browser.run(CHOOSE, STAND_IN.read_text(), BINARY, names)
 
 
-def fly(page: Page, autopilot: ArduPilot, until: Sequence[str], limit_s: float = 90.0) -> None:
-    """The autopilot is behind the stand-in until the page has said one after another. The page keeps the time."""
-    arriving, now = b"", 0.0
-    for words in until:
-        outcome = ""
-        while words not in outcome:
-            shown, heard, outcome = page.browser.run(EXCHANGE, list(arriving))
-            now = max(now + 0.01, shown)
-            assert now < limit_s, f"not within {limit_s} s: {words}; it says: {outcome}"
-            autopilot.receive(bytes(heard), now)
-            arriving = autopilot.run(now)
-            time.sleep(LOOKS_EVERY_S)
-
-
 def test_the_sketch_uploads_to_a_build_and_starts_it(own):
     choose(own)
     own.wait_for_text("#build-says", "It runs, and the emulated Mega's Serial1 is its SERIAL0.")
-    started = own.value("window.vehicle.started")
+    started = own.value("window.started")
     assert started["isShared"] and started["binary"] == BINARY and started["script"].startswith("blob:")
     words = started["words"]
     assert words[:4] == ["--model", "quad", "--home", "-35.3632621,149.1652374,584,0"]
@@ -88,7 +68,7 @@ def test_the_sketch_uploads_to_a_build_and_starts_it(own):
 
     autopilot = ArduPilot(heartbeat_at_s=0.0, home=HOME, uptime_s=60.0)
     autopilot.set_interval(GLOBAL_POSITION_INT, 250_000, 0.0)
-    fly(own, autopilot, ["The autopilot has accepted all 5 items.", "In flight, in AUTO."])
+    own.speak_with(autopilot, "The autopilot has accepted all 5 items. In flight, in AUTO.")
     assert len(autopilot.received()) == 5 and autopilot.armed
     assert own.browser.text("#vehicle").startswith("AUTO, armed")
     assert own.on_map(".aircraft[visibility=visible]") == 1
@@ -97,7 +77,7 @@ def test_the_sketch_uploads_to_a_build_and_starts_it(own):
 def test_a_build_that_ends_is_told_and_the_simulated_autopilot_is_used_again(own):
     choose(own, ("ardurover.js", "ardurover.wasm"))
     own.wait_for_text("#build-says", "It runs")
-    assert own.value("window.vehicle.started.words")[1] == "rover"
+    assert own.value("window.started.words")[1] == "rover"
     own.browser.run("window.channel.postMessage({ abort: 'it reboots' })")
     own.wait_for_text("#notice", "ArduPilot has ended: it reboots. The simulated autopilot is used again.")
     assert own.wait_until_good().startswith("All ")

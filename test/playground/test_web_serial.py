@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import pytest
 
 from played import Page
@@ -13,18 +11,18 @@ from simulation.fake_autopilot.frames import FrameSplitter, decode
 
 pytestmark = pytest.mark.slow
 
-LOOKS_EVERY_S = 0.02
 PLACE = (-353632621, 1491652374, 584.0)
 ABSENT = "?absent"  # in an address: for a browser without serial ports
 PLAYED = """
   window.asked = 0;
-  window.toPort = [];
+  window.heard = [];
+  window.arrives = (bytes) => window.fromPort.enqueue(Uint8Array.from(bytes));
   window.opened = null;
   const port = {
     async open(options) {
       window.opened = options;
       this.readable = new ReadableStream({ start(controller) { window.fromPort = controller; } });
-      this.writable = new WritableStream({ write(bytes) { window.toPort.push(...bytes); } });
+      this.writable = new WritableStream({ write(bytes) { window.heard.push(...bytes); } });
     },
     async close() { window.opened = null; },
   };
@@ -32,26 +30,6 @@ PLAYED = """
   if (location.search) delete Navigator.prototype.serial;
   else Object.defineProperty(Navigator.prototype, "serial", { get: () => serial, configurable: true });
 """
-EXCHANGE = """
-if (arguments[0].length) window.fromPort.enqueue(Uint8Array.from(arguments[0]));
-const clock = Number(document.getElementById("clock").textContent.split(" ")[0]) || 0;
-return [clock, window.toPort.splice(0), document.getElementById("outcome").innerText];
-"""
-
-
-def exchange(browser: Browser, autopilot: Px4, until: str, limit_s: float = 30.0) -> list:
-    """Let the autopilot be at the port until the page says so; what the Mega said to it. The page keeps the time."""
-    splitter = FrameSplitter()
-    said, now, arriving, outcome = [], 0.0, b"", ""
-    while until not in outcome:
-        time.sleep(LOOKS_EVERY_S)
-        shown, heard, outcome = browser.run(EXCHANGE, list(arriving))
-        now = max(now + 0.01, shown)
-        assert now < limit_s, f"not within {limit_s} s: {until}"
-        autopilot.receive(bytes(heard), now)
-        arriving = autopilot.run(now)
-        said += [decode(frame) for frame, whole in splitter.feed(bytes(heard)) if whole]
-    return said
 
 
 @pytest.fixture(scope="module")
@@ -104,11 +82,12 @@ def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered
     assert page.value("document.getElementById('example').value") == "UploadMission"
 
     autopilot = Px4(heartbeat_at_s=0.0, home=PLACE)
-    said = exchange(browser, autopilot, "accepted all 4 items")
+    said = page.speak_with(autopilot, "accepted all 4 items")
     assert autopilot.received() and len(autopilot.received()) == 4
-    # Some of them twice, where the test is slower than PX4 is patient.
-    assert {message.seq for message in said if message.get_type() == "MISSION_ITEM_INT"} == {0, 1, 2, 3}
-    assert page.outcome == "The autopilot has accepted all 4 items."
+    whole = [decode(frame) for frame, is_whole in FrameSplitter().feed(said) if is_whole]
+    # Some of them twice, where a step is longer than PX4 is patient.
+    assert {message.seq for message in whole if message.get_type() == "MISSION_ITEM_INT"} == {0, 1, 2, 3}
+    assert page.outcome.endswith("The autopilot has accepted all 4 items.")
 
     page.begin("#example=StartMission")
     assert "A sketch that arms does not run with a real autopilot" in page.notice

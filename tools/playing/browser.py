@@ -20,7 +20,7 @@ import urllib.request
 from pathlib import Path
 from typing import Any
 
-STARTS_S = 30.0
+STARTS_S = 120.0
 LOOKS_EVERY_S = 0.1
 ASKED_EVERY_S = 2.0
 WAIT = """return new Promise((done, failed) => {
@@ -106,7 +106,7 @@ class Browser:
         """What a JavaScript function of this body returns."""
         return self._order("POST", "execute/sync", {"script": script, "args": list(arguments)})
 
-    def wait_for(self, script: str, limit_s: float = 30.0) -> Any:
+    def wait_for(self, script: str, limit_s: float = STARTS_S) -> Any:
         """What it returns, as soon as that is true. The page itself looks: being asked takes ten times as long."""
         limit = time.monotonic() + limit_s
         while not (found := self.run(WAIT % (script, ASKED_EVERY_S * 1000, LOOKS_EVERY_S * 1000))):

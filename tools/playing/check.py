@@ -9,8 +9,8 @@ from building import ROOT
 from .browser import Browser, NoBrowser
 from .serving import Server
 
-STARTS_S = 90.0  # the browser has 13 MB of Python to compile
-ENDS_S = 60.0
+STARTS_S = 240.0  # the browser has 13 MB of Python to compile
+ENDS_S = 240.0
 ABOARD = "return document.getElementById('outcome').innerText.includes('aboard {} as they were meant, and the Mega')"
 READY = "return document.body.dataset.readyMs"
 
