@@ -62,14 +62,17 @@ def example(name: str) -> list[str]:
 
 def named(test: str) -> list[str]:
     """The files, or the folder, that an entry of the table stands for."""
-    return [str(path.relative_to(ROOT)) for path in sorted(TEST.glob(test))]
+    folder, _, rest = test.partition("/")
+    own = ROOT / "tools" / folder / "test"  # of a tool that has its tests beside it
+    found = TEST.glob(test) if not own.is_dir() else own.glob(rest) if rest else [own]
+    return [str(path.relative_to(ROOT)) for path in sorted(found)]
 
 
 @cache
 def importers() -> dict[str, set[str]]:
     """Module -> the files of tests that import it, straight or through one helper of test/support."""
     straight: dict[str, set[Path]] = {}
-    for file in sorted(TEST.rglob("*.py")):
+    for file in sorted([*TEST.rglob("*.py"), *ROOT.glob("tools/*/test/*.py")]):
         for module in imported(file.read_text()):
             straight.setdefault(module, set()).add(file)
     found: dict[str, set[str]] = {}
@@ -93,13 +96,13 @@ def imported(source: str) -> set[str]:
 
 def module_of(name: str) -> str:
     parts = Path(name).with_suffix("").parts
-    return ".".join(parts[1:] if parts[0] == "tools" else parts[-1:] if parts[0] == "test" else parts)
+    return ".".join(parts[-1:] if "test" in parts[:-1] else parts[1:] if parts[0] == "tools" else parts)
 
 
 def tests_of(name: str) -> list[str]:
     """Those that a changed file concerns, in the words of pytest."""
     path = Path(name)
-    if path.parts[0] == "test" and path.name.startswith("test_") and path.suffix == ".py":
+    if "test" in path.parts[:-1] and path.name.startswith("test_") and path.suffix == ".py":
         return [name] if (ROOT / name).exists() else []
     users = sorted(importers().get(module_of(name), ())) if path.suffix == ".py" else []
     found = users if len(users) <= MOST_IMPORTERS else []

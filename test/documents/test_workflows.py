@@ -11,6 +11,7 @@ import yaml
 
 from building import BOARDS, ROOT
 from examples import example_folders, radio_folders, sketch_of
+from places import files_of_tests
 from promised import NOT_PROMISED
 
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*"))
@@ -173,4 +174,4 @@ def test_tests_run_on_the_system_that_setup_is_for():
 def test_every_folder_of_tests_is_run_by_one_job():
     folders = load("test.yml")["jobs"]["test"]["strategy"]["matrix"]["folders"]
     named = [Path(name) for line in folders for name in line.split()]
-    assert sorted(ROOT / name for name in named) == sorted({file.parent for file in (ROOT / "test").rglob("test_*.py")})
+    assert sorted(ROOT / name for name in named) == sorted({file.parent for file in files_of_tests()})

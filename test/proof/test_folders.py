@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from building import ROOT
+from places import PLACES, PRODUCTS, files_of_tests
 
 SUPPORT = ROOT / "test" / "support"
-FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents",
-           "playground"}
+FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents"}
 
 
 def is_python(file: Path) -> bool:
@@ -23,7 +23,10 @@ def is_python(file: Path) -> bool:
 
 
 def python_of(folder: str) -> list[Path]:
-    return [file for file in sorted((ROOT / folder).rglob("*")) if is_python(file)]
+    """The tests of a tool, beside it, are with the tests."""
+    places = PLACES if folder == "test" else [ROOT / folder]
+    return [file for place in places for file in sorted(place.rglob("*"))
+            if is_python(file) and (folder == "test" or file.parent not in PRODUCTS)]  # fmt: skip
 
 
 def modules_in(folder: Path) -> set[str]:
@@ -31,8 +34,9 @@ def modules_in(folder: Path) -> set[str]:
     return {file.stem for file in folder.glob("*.py")} | {file.parent.name for file in folder.glob("*/__init__.py")}
 
 
-TESTS = {file.stem for file in (ROOT / "test").rglob("test_*.py")}
-TEST_SIDE = TESTS | modules_in(SUPPORT) | {"test", "conftest"}
+TESTS = {file.stem for file in files_of_tests()}
+BESIDE = {module for place in PRODUCTS for module in modules_in(place)}
+TEST_SIDE = TESTS | BESIDE | modules_in(SUPPORT) | {"test", "conftest"}
 TOOLS = modules_in(ROOT / "tools") | {"tools"}
 MAY_NOT_IMPORT = {"simulation": TEST_SIDE | TOOLS, "tools": TEST_SIDE, "test": TESTS}
 
@@ -62,7 +66,7 @@ def test_import_the_wrong_way_is_found():
 
 
 def test_no_module_of_ours_has_the_name_of_another():
-    names = [*TEST_SIDE - {"test"}, *TOOLS - {"tools"}, *modules_in(ROOT)]
+    names = [*TEST_SIDE - {"test"}, *TOOLS - {"tools"}, *modules_in(ROOT) - {"conftest"}]
     assert sorted(set(names)) == sorted(names)
     assert set(names) & set(sys.stdlib_module_names) == set()
 
@@ -70,6 +74,6 @@ def test_no_module_of_ours_has_the_name_of_another():
 def test_each_test_file_is_in_a_folder_and_the_helpers_are_apart():
     files = [file.relative_to(ROOT / "test") for file in (ROOT / "test").rglob("*.py")]
     assert {file.parts[0] for file in files if file.stem.startswith("test_")} == FOLDERS
-    helpers = {("conftest.py",), ("playground", "conftest.py"), *(("support", f.name) for f in SUPPORT.glob("*.py"))}
+    helpers = {("support", f.name) for f in SUPPORT.glob("*.py")}
     assert {file.parts for file in files if not file.stem.startswith("test_")} == helpers
     assert all(len(file.parts) == 2 for file in files if file.stem.startswith("test_"))

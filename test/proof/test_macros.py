@@ -54,7 +54,7 @@ def test_values_beyond_the_limits_are_refused_in_words(macro):
             firmware.compiled(SKETCH, "atmega2560", [f"-D{macro}={value}"], [LIBRARY])
 
 
-@pytest.mark.parametrize("two", itertools.combinations([*ONLY, "MAVMISSION_GENERIC_FIRMWARE"], 2))
+@pytest.mark.parametrize("two", list(itertools.combinations([*ONLY, "MAVMISSION_GENERIC_FIRMWARE"], 2)))
 def test_one_autopilot_alone_excludes_others_in_words(two):
     with pytest.raises(FirmwareNotBuilt, match="exclude one another"):
         firmware.compiled(SKETCH, "atmega2560", [f"-D{macro}=1" for macro in two], [LIBRARY])

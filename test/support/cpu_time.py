@@ -4,7 +4,7 @@ It is the processor's time that counts, not the clock's, which says nothing on a
 the worker, and of every program that it started and waited for (mostly compilers). Each folder's budget [CPU s] in
 each of the three runs of tools/test is in test/figures/cpu_budget.toml; a folder that took more is warned of. The
 file also has the memory that a worker may hold: a run in which one held more has failed. The
-seconds of each file are kept in build/cpu_seconds.json. test/conftest.py registers a CpuTime with pytest.
+seconds of each file are kept in build/cpu_seconds.json. conftest.py registers a CpuTime with pytest.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 
+from places import folder_of
 from tables import aligned
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -48,8 +49,7 @@ def by_folder(files: dict[str, list[float]]) -> dict[str, list[float]]:
     """test/upload/test_flow.py counts for "upload"."""
     found: dict[str, list[float]] = defaultdict(lambda: [0.0, 0.0])
     for name, seconds in files.items():
-        parts = Path(name).parts
-        folder = found[parts[-2] if len(parts) > 1 else name]
+        folder = found[folder_of(name)]
         for n, value in enumerate(seconds):
             folder[n] += value
     return dict(found)

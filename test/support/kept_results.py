@@ -4,7 +4,7 @@ They are deterministic: the same firmware on the same simulated Mega does the sa
 and all others of the repository but documents and other tests, of the library's sources without their comments, and
 the compilers. build/passed.json keeps, for each test, by which digest of these it passed. tools/test and its --quick
 leave out those whose digest is the same; tools/test --all, which continuous integration runs, leaves out none.
-test/conftest.py registers a KeptResults with pytest.
+conftest.py registers a KeptResults with pytest.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ KEPT = Path("build") / "passed.json"
 # Their tests look at the firmware alone. A file of them that reads a document is run each time.
 FOLDERS = {"upload", "operations", "service", "link", "simulation", "boards"}
 READS_DOCUMENTS = re.compile(r"\.md\b|README|documents")
-INTO_ALL = ("src", "simulation", "test", "tools", "examples", "docs", "library.properties", "pytest.ini")
+INTO_ALL = ("src", "simulation", "test", "tools", "examples", "docs", "library.properties", "pytest.ini", "conftest.py")
 COMPILERS = ("avr-gcc", "g++", "clang++", "arm-none-eabi-gcc")
 
 

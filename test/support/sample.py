@@ -10,7 +10,7 @@
 
 What is not marked slow stays. Of the others those stay that a checksum of their names and parameters puts first, at
 least one: the sample is the same each time, and hardly moves when another test is added. The rest gets the mark
-`thorough`, or `beyond_quick`. A single test that is asked for by its name is run. test/conftest.py registers this
+`thorough`, or `beyond_quick`. A single test that is asked for by its name is run. conftest.py registers this
 module with pytest.
 """
 
@@ -22,6 +22,8 @@ from collections import defaultdict
 from pathlib import Path
 
 import pytest
+
+from places import folder_of
 
 LIST = Path(__file__).resolve().parents[1] / "sample.toml"
 
@@ -39,7 +41,7 @@ def listed() -> dict[str, dict[str, int]]:
 def mark_beyond_quick(items: list[pytest.Item], places: dict[str, int]) -> None:
     groups: dict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
-        folder, file = item.path.parts[-2:]
+        folder, file = folder_of(item.path), item.path.name
         if not item.get_closest_marker("slow"):
             groups[f"{folder}/{file}" if f"{folder}/{file}" in places else folder].append(item)
     for place, one_in in places.items():
@@ -54,7 +56,7 @@ def mark(items: list[pytest.Item], sampled: dict[str, dict[str, int]]) -> None:
     """Each entry of the list is a group of tests, of which a sample stays."""
     groups: dict[tuple[str, str], list[pytest.Item]] = defaultdict(list)
     for item in items:
-        file = "/".join(item.path.parts[-2:])
+        file = f"{folder_of(item.path)}/{item.path.name}"
         test = getattr(item, "originalname", item.name)
         if file in sampled and item.get_closest_marker("slow"):
             groups[file, test if test in sampled[file] else "*"].append(item)

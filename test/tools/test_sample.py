@@ -9,16 +9,22 @@ from types import SimpleNamespace
 
 import pytest
 
+import concerned
 import cpu_time
 import sample
 from building import ROOT
 
 
+def found(place: str) -> str:
+    (name,) = concerned.named(place)
+    return name
+
+
 def test_list_names_tests_that_there_are():
     files = sample.listed()
-    assert all((ROOT / "test" / place).exists() for place in files.pop("quick"))
+    assert all(found(place) for place in files.pop("quick"))
     for file, tests in files.items():
-        text = (ROOT / "test" / file).read_text()
+        text = (ROOT / found(file)).read_text()
         assert [name for name in tests if name != "*" and not re.search(rf"^def {name}\(", text, re.M)] == [], file
 
 

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
 import pytest
 
@@ -16,7 +17,7 @@ from played import DONE, FLOWN
 
 pytestmark = pytest.mark.slow
 
-BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())["seconds"]
+BOUNDS = tomllib.loads(Path(__file__).with_name("bounds.toml").read_text())["seconds"]
 NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
 FARM = json.loads((ROOT / "docs" / "farm.plan").read_text())
 FARM["mission"]["items"] = [item for item in FARM["mission"]["items"] if item["type"] == "SimpleItem"][:4]

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymavlink import mavwp
 
-from building import build_sketch
+from building import ROOT, build_sketch
 from demonstration.plan_in_firmware import plan_in
 from planned import E7_LONGITUDES, FLOATS, NAN, WITH_PLACE, WITHOUT_PLACE, bits, plan_of, plans
 from planning import BadPlan, Item, commands, qgc_plan, waypoints
@@ -372,7 +372,7 @@ def test_item_is_written_as_a_person_would_where_that_is_exact(item, source):
 
 
 def test_named_commands_are_those_of_the_library():
-    header = (Path(__file__).resolve().parents[2] / "src/mavmission/item/MissionItem.h").read_text()
+    header = (ROOT / "src/mavmission/item/MissionItem.h").read_text()
     for number, name in NAMED.items():
         assert f"  {name} = {number},\n" in header
     assert header.count(" = ", 0, header.index("// A step of a plan")) == len(NAMED)

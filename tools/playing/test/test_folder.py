@@ -10,13 +10,14 @@ import subprocess
 import sys
 import tomllib
 import urllib.request
+from pathlib import Path
 
 import pytest
 
 from building import ROOT
 from examples import example_folders, sketch_of
 
-BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
+BOUNDS = tomllib.loads(Path(__file__).with_name("bounds.toml").read_text())
 OWN = ("*.html", "*.css", "*.js", "ardupilot/*.js", "far/*.js", "mega/*.js")
 
 

@@ -7,12 +7,12 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from building import ROOT, build_sketch
+from building import build_sketch
 from demonstration.autopilots import an_autopilot
 from demonstration.line import Line
 from simulation.mega import Image, Mega
 
-REPLAY = ROOT / "test" / "playground" / "replay.mjs"
+REPLAY = Path(__file__).with_name("replay.mjs")
 SLICE_CYCLES = 80_000  # 5 ms
 MEGA_JS = "mega/mega.js"
 

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from planning import Home, Item, Plan, Step, commands
 
-FILES = Path(__file__).resolve().parents[1] / "plan_files"
-FARM = Path(__file__).resolve().parents[2] / "docs" / "farm.plan"
+FILES = Path(__file__).resolve().parent / "files"
+FARM = Path(__file__).resolve().parents[3] / "docs" / "farm.plan"
 
 NAN = math.nan
 E7_LATITUDES = st.integers(-900_000_000, 900_000_000)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from playground import replayed, talk
+from replayed import replayed, talk
 
 # Of the same byte on the two: they differ in what an interrupt and a start bit wait for, and the client looks at the
 # clock every 2 ms (ClientRules::kTickMs): what is due just then leaves one look later on one of the two.

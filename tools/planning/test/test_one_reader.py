@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from building import ROOT
 from planned import FILES
 from planning import BadPlan, judge, waypoints
 from waypoints_reader import WaypointsReader
 
-ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (16, 22, 21, 20, 178, 183, 203, 189, 92, 195, 30, 36, 601, 31999)
 NUMBERS = ("0", "1", "-1", "+2.5", "1e1", "1E-05", ".5", "5.", "007", "3.4028235e38", "1e39", "1e-50", "nan", "9" * 40,
            "0.1234567890123456789", "16777217", "inf", "1,5", "0x10", "--1", "2_0")  # fmt: skip

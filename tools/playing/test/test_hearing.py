@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import random
 import subprocess
+from pathlib import Path
 
 import pytest
 
-from building import ROOT
 from simulation import recordings
 from simulation.fake_autopilot.hearing import ARDUPILOT, PX4, Hearing
 
-HEAR = ROOT / "test" / "playground" / "hear.mjs"
+HEAR = Path(__file__).with_name("hear.mjs")
 
 
 def damaged(recording: str, seed: int) -> bytes:

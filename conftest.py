@@ -6,7 +6,7 @@ import shutil
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent
 
 # What Python has compiled is kept, also where the environment says not to: without it each start of a tool takes
 # two seconds. Under build/, so that no folder of sources has it.
