@@ -69,6 +69,7 @@ def test_mutant_is_found_by_the_cheapest_tests_that_can_and_one_that_changes_not
 
 CODE = b"""
 enum Plain { One, Two };
+struct Room { unsigned count : 3; };
 // A comment with 1 < 2 && true.
 static_assert(sizeof(int) == 4, "");
 #if 1 < 2
@@ -95,7 +96,9 @@ def test_each_kind_changes_what_its_name_says_and_nothing_else():
     }  # fmt: skip
     assert changes("boundary moved") == {("<", "<="), (">", ">=")}
     assert changes("and, or exchanged") == {("&&", "||")}
-    assert changes("constant changed") == {("false", "true"), ("0", "1"), ("0x10", "0x11"), ("0x10", "0xf")}
+    assert changes("constant changed") == {
+        ("3", "2"), ("false", "true"), ("0", "1"), ("0x10", "0x11"), ("0x10", "0xf"),
+    }  # fmt: skip
     assert changes("enumerator exchanged") == {
         ("State::Here", "State::There"), ("State::There", "State::Here"), ("Two", "One"),
     }  # fmt: skip

@@ -84,13 +84,14 @@ def and_or_exchanged(source: Node) -> Iterator[Change]:
 
 
 def constants_changed(source: Node) -> Iterator[Change]:
+    """A field of bits is only made narrower: more room for the same numbers is no defect."""
     for node in walk(source):
         if node.type in ("true", "false") and is_executed(node):
             yield replaced(node, "false" if node.type == "true" else "true")
         match = INTEGER.fullmatch(text_of(node)) if node.type == "number_literal" and is_executed(node) else None
         if match:
             value = int(match[1], 0) if match[1].lower().startswith("0x") else int(match[1])
-            for other in (value + 1, value - 1):
+            for other in (value - 1,) if above(node).type == "bitfield_clause" else (value + 1, value - 1):
                 if other >= 0:
                     yield replaced(node, (hex(other) if match[1].lower().startswith("0x") else str(other)) + match[2])
 
