@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 import tomllib
 from pathlib import Path
 
@@ -62,10 +63,23 @@ def features() -> Section:
 
 
 def table(sizes: Section) -> str:
-    """Each feature, and how much more than an upload."""
+    """What an upload takes, and how much more each feature."""
     base = sizes[listed()["upload"]["label"]]
-    lines = [["sketch, on a Mega", "flash", "globals", "more flash", "more globals"]]
-    for label, size in sizes.items():
-        more = [f"{'-' if size[part] < base[part] else '+'}{rounded(abs(size[part] - base[part]))}" for part in base]
-        lines.append([label, *map(rounded, size.values()), *more])
+    more = {label: [size[part] - base[part] for part in base] for label, size in sizes.items()}
+    found = (re.fullmatch(r"The upload with an? (\w+Listener)", label) for label in sizes)
+    listeners = {one[0]: one[1] for one in found if one}
+    lines = [["on a Mega", "flash", "RAM"]]
+    for label, added in more.items():
+        if label == next(iter(listeners), ""):
+            parts = zip(*(more[listener] for listener in listeners), strict=True)
+            ranges = (f"{signed(min(part))} to {signed(max(part))}" for part in parts)
+            lines.append([f"With one of {', '.join(listeners.values())}", *ranges])
+        elif label not in listeners:
+            whole = [f"**{rounded(size)}**" for size in base.values()]
+            cells = [signed(size) for size in added] if any(added) else whole
+            lines.append([re.sub("^The upload with", "With", label), *cells])
     return aligned(lines, left=1)
+
+
+def signed(size: float) -> str:
+    return f"{'-' if size < 0 else '+'}{rounded(abs(size))}"

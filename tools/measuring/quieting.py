@@ -8,7 +8,7 @@ from simulation.quiet import RECORDED, Quiet, as_recorded, default_list
 
 from .report import aligned
 
-PLANS = (10, 50, 200)
+PLANS = (50, 200)
 
 
 def bench(personality: str) -> Quiet:

@@ -11,9 +11,6 @@ from .figures import FIGURES, Row
 from .record import BadRecord, Section, three_digits
 
 GOALS = ROOT / "test" / "figures" / "goals.toml"
-NOTE = """\
-Measured on the simulated Mega (16 MHz), the same to the byte and to the cycle each time. Three digits of each figure
-are here, all of them in `test/figures/measured.toml`, beside its bound."""
 
 
 def rounded(value: float) -> str:
@@ -57,32 +54,27 @@ def aligned(lines: list[list[str]], left: int) -> str:
     return "\n".join([line(lines[0]), line(rule), *(line(cells) for cells in lines[1:])])
 
 
-def sizes(section: Section) -> str:
-    """A table of what is in a sketch."""
-    return aligned([["UploadMission on a Mega", "bytes"], *([name, rounded(size)] for name, size in section.items())],
-                   left=1)  # fmt: skip
-
-
 def for_documents(ours: Section, baseline: Section) -> str:
     """What stands between the marks in the documents."""
-    lines = [["", "unit", "baseline (MAVLink 2 / 1)", "MavMission"]]
+    lines = [["", "baseline (MAVLink 2 / 1)", "MavMission"]]
     for figure in FIGURES:
         older = " / ".join(figure.text(three_digits(value)) for value in baseline.get(figure.key, {}).values()) or "–"
-        lines.append([figure.label, figure.unit, older, figure.text(three_digits(ours[figure.key]))])
-    return f"{NOTE}\n\n{aligned(lines, left=2)}"
+        unit = "" if figure.unit == "%" else f" [{figure.unit}]"
+        lines.append([figure.label + unit, older, figure.text(three_digits(ours[figure.key]))])
+    return aligned(lines, left=1)
 
 
 def goals_missed(ours: Section) -> str:
-    """As the documents have it: the goals that are not reached, and why not."""
-    lines = ["| | is | goal | what stands in the way |", "|---|---:|---:|---|"]
+    """As the documents have it: the goals that are not reached; test/figures/goals.toml says why not."""
+    lines = [["", "is", "goal"]]
     for figure in FIGURES:
         is_now, goal = ours[figure.key], goals().get(figure.key, {}).get("goal")
         if goal is None or (is_now >= goal if figure.more_is_better else is_now <= goal):
             continue
-        if not (obstacle := goals()[figure.key].get("obstacle")):
+        if not goals()[figure.key].get("obstacle"):
             raise BadRecord(f"{GOALS}: {figure.key} misses its goal: give it an obstacle")
-        lines.append(f"| {figure.label} | {figure.text(three_digits(is_now))} | {figure.text(goal)} | {obstacle} |")
-    return "\n".join(lines)
+        lines.append([figure.label, figure.text(three_digits(is_now)), figure.text(goal)])
+    return aligned(lines, left=1)
 
 
 def in_short(figures: Section) -> str:

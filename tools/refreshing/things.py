@@ -189,8 +189,6 @@ THINGS = (
     recorded("signing", later("signing", "table"), "signing"),
     recorded("work", later("work", "table"), "work"),
     recorded("growth", later("growth", "table"), "growth"),
-    recorded("RAM budget", later("report", "sizes"), "RAM budget"),
-    recorded("flash budget", later("report", "sizes"), "flash budget"),
     table("quiet transfers", later("quieting", "table"), *SIMULATED, "tools/measuring/quieting.py"),
     table("files", later("file_times", "for_documents"), *SIMULATED, "tools/measuring/file_times.py"),
     table("rates", later("rates", "for_documents"), *HOST, "test/rates", "test/explorer", "tools/measuring/rates.py"),
