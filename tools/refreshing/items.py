@@ -13,8 +13,6 @@ HEADER = ROOT / "src" / "mavmission" / "item" / "MissionItem.h"
 RECORDINGS = ROOT / "simulation" / "recordings"
 VEHICLES = {"copter": "arducopter", "plane": "arduplane", "rover": "ardurover", "PX4": "px4"}
 
-UNITS = {"Metres": "m", "Seconds": "s", "MetresPerSecond": "m/s", "Degrees": "degrees", "WideHeading": "degrees",
-         "Yaw": "degrees", "Altitude": "m"}  # fmt: skip
 ITEM = re.compile(r"^constexpr MissionItem (\w+)\(([^{}]*)\) \{\s+return ([^{}]*?);\s+\}", re.M)
 CONSTANT = re.compile(r"^  (k\w+) = (\d+),", re.M)
 LIMITS = {"Sign": "its sign alone", "Centimetres": "to the cm, up to 655.35", "U1": "0 or 1", "U8": "whole, to 255",
@@ -51,8 +49,7 @@ class Maker:
 
     @property
     def signature(self) -> str:
-        shown = [f"{argument} [{UNITS[kind]}]" if kind in UNITS else argument for argument, kind in self.arguments]
-        return f"`{self.name}({', '.join(shown)})`"
+        return f"`{self.name}({', '.join(argument for argument, _ in self.arguments)})`"
 
 
 def found(pattern: str, text: str, flags: re.RegexFlag = re.S) -> str:
@@ -153,16 +150,22 @@ def cell(made: list[Maker], kept: list[str] | None, vehicle: str) -> str:
     return "; ".join(limits) or "all"
 
 
+def in_ardupilot(cells: dict[str, str]) -> str:
+    """What its vehicles do: a copter, and in what another one differs."""
+    others = [f"on a {vehicle} {cells[vehicle]}" for vehicle in ("plane", "rover") if cells[vehicle] != cells["copter"]]
+    return "; ".join([cells["copter"], *others])
+
+
 def tables() -> str:
     known = kinds()
     lines = []
     for title, part in makers():
-        lines += [f"### {title}", "", f"| function | | {' | '.join(VEHICLES)} |", "|---|---|---|---|---|---|"]
+        lines += [f"### {title}", "", "| function | | ArduPilot | PX4 |", "|---|---|---|---|"]
         for name in dict.fromkeys(maker.name for maker in part):
             made = [maker for maker in part if maker.name == name]
             comments = list(dict.fromkeys(maker.comment for maker in made if maker.comment))
-            cells = [cell(made, known[made[0].command, vehicle], vehicle) for vehicle in VEHICLES]
+            cells = {vehicle: cell(made, known[made[0].command, vehicle], vehicle) for vehicle in VEHICLES}
             signatures = "<br>".join(dict.fromkeys(maker.signature for maker in made))
-            lines.append(f"| {signatures} | {' '.join(comments)} | {' | '.join(cells)} |")
+            lines.append(f"| {signatures} | {' '.join(comments)} | {in_ardupilot(cells)} | {cells['PX4']} |")
         lines.append("")
     return "\n".join(lines)
