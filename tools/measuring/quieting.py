@@ -48,9 +48,9 @@ def table() -> str:
     lines = [["57600 baud, full line; seconds, as it is / quiet", *RECORDED]]
     for items in PLANS:
         took = [upload(name, items) for name in RECORDED]
-        lines.append([f"upload of {items} items, from COUNT to the acceptance", *took])
+        lines.append([f"upload of {items} items", *took])
     for items in PLANS:
         took = [reading_back(name, items) for name in RECORDED]
-        lines.append([f"reading back {items} items, to the last of them", *took])
-    lines.append(["switching off, beside the first items", *(f"{hushing_s(name):.2f}" for name in RECORDED)])
+        lines.append([f"reading back {items} items", *took])
+    lines.append(["switching off", *(f"{hushing_s(name):.2f}" for name in RECORDED)])
     return aligned(lines, left=1)

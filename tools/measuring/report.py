@@ -7,7 +7,7 @@ from typing import Any
 
 from building import BOARDS, ROOT
 
-from .figures import FIGURES, Row
+from .figures import FIGURES, Figure, Row
 from .record import BadRecord, Section, three_digits
 
 GOALS = ROOT / "test" / "figures" / "goals.toml"
@@ -55,26 +55,24 @@ def aligned(lines: list[list[str]], left: int) -> str:
 
 
 def for_documents(ours: Section, baseline: Section) -> str:
-    """What stands between the marks in the documents."""
+    """What stands between the marks in the documents; test/figures/goals.toml says why a goal is not reached."""
     lines = [["", "baseline (MAVLink 2 / 1)", "MavMission"]]
     for figure in FIGURES:
         older = " / ".join(figure.text(three_digits(value)) for value in baseline.get(figure.key, {}).values()) or "–"
         unit = "" if figure.unit == "%" else f" [{figure.unit}]"
-        lines.append([figure.label + unit, older, figure.text(three_digits(ours[figure.key]))])
+        ours_now = ours[figure.key]
+        lines.append([figure.label + unit, older, figure.text(three_digits(ours_now)) + missed(figure, ours_now)])
     return aligned(lines, left=1)
 
 
-def goals_missed(ours: Section) -> str:
-    """As the documents have it: the goals that are not reached; test/figures/goals.toml says why not."""
-    lines = [["", "is", "goal"]]
-    for figure in FIGURES:
-        is_now, goal = ours[figure.key], goals().get(figure.key, {}).get("goal")
-        if goal is None or (is_now >= goal if figure.more_is_better else is_now <= goal):
-            continue
-        if not goals()[figure.key].get("obstacle"):
-            raise BadRecord(f"{GOALS}: {figure.key} misses its goal: give it an obstacle")
-        lines.append([figure.label, figure.text(three_digits(is_now)), figure.text(goal)])
-    return aligned(lines, left=1)
+def missed(figure: Figure, is_now: float) -> str:
+    """Its goal, where that is not reached. Raises BadRecord where nothing is said of what stands in the way."""
+    goal = goals().get(figure.key, {}).get("goal")
+    if goal is None or (is_now >= goal if figure.more_is_better else is_now <= goal):
+        return ""
+    if not goals()[figure.key].get("obstacle"):
+        raise BadRecord(f"{GOALS}: {figure.key} misses its goal: give it an obstacle")
+    return f" (goal {figure.text(goal)})"
 
 
 def in_short(figures: Section) -> str:

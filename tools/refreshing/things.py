@@ -185,7 +185,6 @@ THINGS = (
     recorded("in short", later("report", "in_short"), "figures"),
     recorded("measured", later("report", "for_documents"), "figures", "baseline"),
     recorded("features", later("features", "table"), "features"),
-    recorded("goals", later("report", "goals_missed"), "figures"),
     recorded("signing", later("signing", "table"), "signing"),
     recorded("work", later("work", "table"), "work"),
     recorded("growth", later("growth", "table"), "growth"),
