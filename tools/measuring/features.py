@@ -66,14 +66,13 @@ def table(sizes: Section) -> str:
     """What an upload takes, and how much more each feature."""
     base = sizes[listed()["upload"]["label"]]
     more = {label: [size[part] - base[part] for part in base] for label, size in sizes.items()}
-    found = (re.fullmatch(r"The upload with an? (\w+Listener)", label) for label in sizes)
-    listeners = {one[0]: one[1] for one in found if one}
+    listeners = [label for label in sizes if re.fullmatch(r"The upload with an? \w+Listener", label)]
     lines = [["on a Mega", "flash", "RAM"]]
     for label, added in more.items():
-        if label == next(iter(listeners), ""):
+        if label == listeners[0]:
             parts = zip(*(more[listener] for listener in listeners), strict=True)
             ranges = (f"{signed(min(part))} to {signed(max(part))}" for part in parts)
-            lines.append([f"With one of {', '.join(listeners.values())}", *ranges])
+            lines.append(["With one listener of telemetry, such as a PositionListener", *ranges])
         elif label not in listeners:
             whole = [f"**{rounded(size)}**" for size in base.values()]
             cells = [signed(size) for size in added] if any(added) else whole
