@@ -14,10 +14,17 @@ using namespace mavmission;
 
 namespace {
 
-constexpr uint16_t kCommandLong = MAVLINK_MSG_ID_COMMAND_LONG;
-constexpr uint8_t kCopter = MAV_TYPE_QUADROTOR, kStation = MAV_TYPE_GCS, kBoard = MAV_TYPE_ONBOARD_CONTROLLER;
-constexpr uint8_t kAutopilot = MAV_AUTOPILOT_GENERIC_MISSION_FULL, kNoAutopilot = MAV_AUTOPILOT_INVALID;
 constexpr uint32_t kAlways = 0xFFFFFFFF;
+
+// Who sends, and what its heartbeat says of it.
+struct Who {
+  uint8_t systemId, componentId, autopilot, type;
+};
+constexpr uint8_t kAutopilot = MAV_AUTOPILOT_GENERIC_MISSION_FULL, kNoAutopilot = MAV_AUTOPILOT_INVALID;
+constexpr Who kCopter = {1, 1, kAutopilot, MAV_TYPE_QUADROTOR}, kSecond = {2, 1, kAutopilot, MAV_TYPE_QUADROTOR};
+constexpr Who kStation = {255, 190, kNoAutopilot, MAV_TYPE_GCS}, kGimbal = {1, 154, kNoAutopilot, MAV_TYPE_GIMBAL};
+constexpr Who kBoard = {1, 191, kNoAutopilot, MAV_TYPE_ONBOARD_CONTROLLER};
+constexpr Who kMute = {42, 77, 0, 0};  // sends no heartbeats
 
 const char* nameOf(Verdict verdict) {
 #define MAVMISSION_NAME(name, text) #name,
@@ -30,7 +37,8 @@ void append(std::string& list, uint32_t number, const std::string& word = "") {
   list += (list.empty() ? "" : ", ") + std::to_string(number) + word;
 }
 
-// A line on which nobody is, unless the test says who.
+// A line on which nobody is, unless the test says who. What happens on it is said word by word:
+// Desk().pass(10000).autopilot().pass(10000) is one that stays silent for 10 s, and an autopilot for 10 s.
 struct Desk : ClientOnLine {
   LinkDoctor doctor;
   const uint32_t beganMs;
@@ -45,17 +53,16 @@ struct Desk : ClientOnLine {
   uint32_t baud = 57600;   // of the port
   uint32_t goodBaud = 0;   // an autopilot is heard at this one, twice a second
 
-  explicit Desk(uint8_t autopilot = kArduPilot) : ClientOnLine(autopilot), doctor(client), beganMs(nowMs()) {
-    beats = false;
-  }
+  Desk() : ClientOnLine(kArduPilot), doctor(client), beganMs(nowMs()) { beats = false; }
 
   uint32_t sinceMs() const { return nowMs() - beganMs; }
 
   // As loop() does, each `step` ms. The peer's messages come behind that.
-  void pass(uint32_t ms, uint32_t step = 1) {
+  Desk& pass(uint32_t ms, uint32_t step = 1) {
     for (; ms != 0; ms -= step) turn(step);
+    return *this;
   }
-  void turn(uint32_t step) {
+  Desk& turn(uint32_t step) {
     const Verdict before = doctor.verdict();
     const Verdict verdict = doctor.update();
     if (verdict != before) append(history, sinceMs(), std::string(" ") + nameOf(verdict));
@@ -63,7 +70,7 @@ struct Desk : ClientOnLine {
     noteOwn(line.written);
     if (echoes) line.bring(line.written);
     if (!garbage.empty() && sinceMs() % 100 == 0) line.bring(garbage);
-    if (sinceMs() % 10 == 0 && sinceMs() % 1000 / 10 < telemetry) hear(partsOf(1, 1));
+    if (sinceMs() % 10 == 0 && sinceMs() % 1000 / 10 < telemetry) hear(partsOf(kCopter));
     if (baud == goodBaud && sinceMs() % 500 == 0) hear(heartbeatParts(kArduPilot));
     const size_t sentBefore = sent.size();
     run(step, step);
@@ -72,15 +79,115 @@ struct Desk : ClientOnLine {
       if (answers != kAlways) --answers;
       answer(MAV_CMD_REQUEST_MESSAGE);
     }
+    return *this;
   }
 
-  // The request for AUTOPILOT_VERSION.
-  static bool isQuestion(const SentFrame& frame) {
-    mavlink_command_long_t command;
-    memcpy(&command, frame.payload.data(), sizeof(command));
-    return frame.messageId == kCommandLong && command.command == MAV_CMD_REQUEST_MESSAGE &&
-           command.param1 == MAVLINK_MSG_ID_AUTOPILOT_VERSION;
+  // From now on...
+  Desk& autopilot(uint32_t answered = kAlways) { return is(true, answered, echoes, garbage); }
+  Desk& silence() { return is(false, 0, echoes, garbage); }
+  Desk& text(const Bytes& bytes = Bytes(7, 'U')) { return is(beats, answers, echoes, bytes); }
+  Desk& noText() { return text(Bytes()); }
+  Desk& echo(bool isThere = true) { return is(beats, answers, isThere, garbage); }
+
+  // A heartbeat.
+  Desk& beat(const Who& who, uint32_t customMode = 0, bool isSigned = false) {
+    mavlink_heartbeat_t message = mavlink_heartbeat_t();
+    message.custom_mode = customMode;
+    message.type = who.type;
+    message.autopilot = who.autopilot;
+    Bytes payload(sizeof(message));
+    memcpy(payload.data(), &message, sizeof(message));
+    FrameParts parts(MAVLINK_MSG_ID_HEARTBEAT, payload, MAVLINK_MSG_ID_HEARTBEAT_CRC);
+    parts.systemId = who.systemId;
+    parts.componentId = who.componentId;
+    parts.incompatibility = isSigned;
+    hear(parts);
+    return *this;
   }
+  // These beat once a second, for so many seconds.
+  Desk& beating(std::initializer_list<Who> all, int seconds, uint32_t step = 1) {
+    for (; seconds != 0; --seconds) {
+      for (const Who& who : all) beat(who);
+      pass(1000, step);
+    }
+    return *this;
+  }
+  // So many frames that nobody wants, each 10 ms, or with this pause behind each.
+  Desk& chatter(uint32_t count, const Who& who = kCopter, uint32_t pauseMs = 0) {
+    for (; count != 0; --count) {
+      hear(partsOf(who));
+      pass(10 + pauseMs);
+    }
+    return *this;
+  }
+  static FrameParts partsOf(const Who& who) {
+    FrameParts parts(MAVLINK_MSG_ID_ATTITUDE, Bytes(28, 0x11), MAVLINK_MSG_ID_ATTITUDE_CRC);
+    parts.systemId = who.systemId;
+    parts.componentId = who.componentId;
+    return parts;
+  }
+  // Frames with a checksum that is wrong.
+  Desk& damaged(uint32_t count, uint32_t pauseMs = 0) {
+    for (; count != 0; --count) {
+      Bytes bytes = packed(heartbeatParts(kArduPilot));
+      bytes.back() ^= 0xFF;
+      bring(bytes).pass(10 + pauseMs);
+    }
+    return *this;
+  }
+  // The beginnings of frames that nobody wants; their ends are lost.
+  Desk& cut(uint32_t count) {
+    for (; count != 0; --count) {
+      Bytes bytes = packed(partsOf(kCopter));
+      bytes.resize(20);
+      bring(bytes).pass(100);
+    }
+    return *this;
+  }
+  Desk& bring(const Bytes& bytes) {
+    line.bring(bytes);
+    return *this;
+  }
+  Desk& answer(uint16_t command, uint8_t targetSystem = 1, uint8_t targetComponent = 191) {
+    const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
+    hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, 0, 0, 0, 0, 0, 0, targetSystem, targetComponent},
+                    MAVLINK_MSG_ID_COMMAND_ACK_CRC));
+    return *this;
+  }
+  // Once a second, in the middle of it, for 8 s.
+  template <typename Heard>
+  Desk& eachSecond(Heard heard) {
+    for (int second = 0; second < 8; ++second) {
+      pass(500);
+      heard(*this);
+      pass(500);
+    }
+    return *this;
+  }
+
+  Desk& tryBauds(uint32_t rate) {
+    baud = rate;
+    doctor.tryBauds(open, rate, this);
+    return *this;
+  }
+
+  // The verdicts, and in the end who sends beside the client's autopilot: its ids, and the type of its heartbeat.
+  std::string told() const { return history + speaker(); }
+  std::string speaker() const {
+    const Speaker& it = doctor.speaker();
+    if (it.systemId == 0 && it.componentId == 0 && it.type == 0) return "";
+    return "; " + std::to_string(it.systemId) + "/" + std::to_string(it.componentId) + " is a " + kindOf(it.type);
+  }
+  static std::string kindOf(uint8_t type) {
+    switch (type) {
+      case 0: return "stranger";
+      case MAV_TYPE_QUADROTOR: return "copter";
+      case MAV_TYPE_GCS: return "station";
+      case MAV_TYPE_GIMBAL: return "gimbal";
+      default: return std::to_string(type);
+    }
+  }
+  // When AUTOPILOT_VERSION was asked for, and when our heartbeats left [ms].
   std::string questions() const {
     std::string times;
     for (const SentFrame& frame : sent) {
@@ -93,6 +200,26 @@ struct Desk : ClientOnLine {
     for (uint32_t atMs : timesOf(MAVLINK_MSG_ID_HEARTBEAT, beganMs)) append(times, atMs);
     return times;
   }
+
+ private:
+  Desk& is(bool beating, uint32_t answered, bool echoed, const Bytes& bytes) {
+    beats = beating;
+    answers = answered;
+    echoes = echoed;
+    garbage = bytes;
+    return *this;
+  }
+  static void open(void* context, uint32_t rate) {
+    Desk& desk = *static_cast<Desk*>(context);
+    desk.baud = rate;
+    append(desk.opened, desk.sinceMs(), " " + std::to_string(rate));
+  }
+  static bool isQuestion(const SentFrame& frame) {
+    mavlink_command_long_t command;
+    memcpy(&command, frame.payload.data(), sizeof(command));
+    return frame.messageId == MAVLINK_MSG_ID_COMMAND_LONG && command.command == MAV_CMD_REQUEST_MESSAGE &&
+           command.param1 == MAVLINK_MSG_ID_AUTOPILOT_VERSION;
+  }
   void noteOwn(const Bytes& bytes) {
     for (size_t i = 0; i + 10 < bytes.size() && bytes[i] == 0xFD; i += 10u + bytes[i + 1] + 2u) {
       const std::string one = std::to_string(bytes[i + 5]) + "/" + std::to_string(bytes[i + 6]) +
@@ -101,283 +228,107 @@ struct Desk : ClientOnLine {
       if (!isSame) own += (own.empty() ? "" : ", ") + one;
     }
   }
-
-  void answer(uint16_t command, uint8_t targetSystem = 1, uint8_t targetComponent = 191) {
-    const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
-    hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, 0, 0, 0, 0, 0, 0, targetSystem, targetComponent},
-                    MAVLINK_MSG_ID_COMMAND_ACK_CRC));
-  }
-  void beat(uint8_t systemId, uint8_t componentId, uint8_t autopilot, uint8_t type, uint32_t customMode = 0,
-            bool isSigned = false) {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = customMode;
-    message.type = type;
-    message.autopilot = autopilot;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    FrameParts parts(MAVLINK_MSG_ID_HEARTBEAT, payload, MAVLINK_MSG_ID_HEARTBEAT_CRC);
-    parts.systemId = systemId;
-    parts.componentId = componentId;
-    parts.incompatibility = isSigned;
-    hear(parts);
-  }
-  void chatter(uint32_t count, uint8_t systemId = 1, uint8_t componentId = 1) {
-    for (; count != 0; --count) {
-      hear(partsOf(systemId, componentId));
-      pass(10);
-    }
-  }
-  static FrameParts partsOf(uint8_t systemId, uint8_t componentId) {
-    FrameParts parts(MAVLINK_MSG_ID_ATTITUDE, Bytes(28, 0x11), MAVLINK_MSG_ID_ATTITUDE_CRC);
-    parts.systemId = systemId;
-    parts.componentId = componentId;
-    return parts;
-  }
-  // A frame with a checksum that is wrong.
-  void damaged() {
-    Bytes bytes = packed(heartbeatParts(kArduPilot));
-    bytes.back() ^= 0xFF;
-    line.bring(bytes);
-    pass(10);
-  }
-  // The beginning of a frame that nobody wants; its end is lost.
-  void broken() {
-    Bytes bytes = packed(partsOf(1, 1));
-    bytes.resize(20);
-    line.bring(bytes);
-    pass(100);
-  }
-
-  void tryBauds(uint32_t rate) {
-    baud = rate;
-    doctor.tryBauds(open, rate, this);
-  }
-  static void open(void* context, uint32_t rate) {
-    Desk& desk = *static_cast<Desk*>(context);
-    desk.baud = rate;
-    append(desk.opened, desk.sinceMs(), " " + std::to_string(rate));
-  }
-
-  bool isSpeaker(uint8_t systemId, uint8_t componentId, uint8_t type) const {
-    const Speaker& it = doctor.speaker();
-    return it.systemId == systemId && it.componentId == componentId && it.type == type;
-  }
 };
-
-// An autopilot that is heard, and answers.
-struct Well : Desk {
-  Well() {
-    beats = true;
-    answers = kAlways;
-  }
-};
-
-const Bytes kText(7, 'U');
 
 }  // namespace
 
 // --- The wire
 
-TEST_CASE("a line without bytes is known as such after 3 s") {
+TEST_CASE("a line without bytes is known as such after 3 s, and bytes that begin later, or again, are listened to") {
   Desk desk;
   CHECK((desk.doctor.verdict() == Verdict::Listening));
-  desk.pass(400000, 10);
-  CHECK(desk.history == "3000 NoBytes");
-  CHECK(desk.isSpeaker(0, 0, 0));
+  CHECK(desk.pass(400000, 10).told() == "3000 NoBytes");
   CHECK(desk.doctor.baud() == 0);
+  CHECK(Desk().pass(10000).autopilot().pass(10000).silence().pass(10000).told() ==
+        "3000 NoBytes, 11000 Listening, 15000 Quiet, 23000 NoBytes");
 }
 
-TEST_CASE("bytes that begin later, or again, are listened to anew") {
+TEST_CASE("our own frames that come back are known by what they say, unless others send, who are told") {
+  CHECK(Desk().echo().pass(10000).told() == "4000 OnlyEcho");
+  CHECK(Desk().echo().pass(10000).echo(false).pass(10000).told() == "4000 OnlyEcho, 13000 NoBytes");
+  CHECK(Desk().echo().beating({kStation}, 5).pass(7000).told() ==
+        "4000 NoAutopilot, 8000 OnlyEcho; 255/190 is a station");
+  // An echo that has ended more than 3 s ago is none, while another board's doctor beats, whose mark is another one.
   Desk desk;
-  desk.pass(10000);
-  desk.beats = true;
-  desk.answers = kAlways;
-  desk.pass(10000);
-  desk.beats = false;
-  desk.answers = 0;
-  desk.pass(10000);
-  CHECK(desk.history == "3000 NoBytes, 11000 Listening, 15000 Quiet, 23000 NoBytes");
-}
-
-TEST_CASE("our own frames that come back are known by what they say") {
-  Desk desk;
-  desk.echoes = true;
-  desk.pass(10000);
-  CHECK(desk.history == "4000 OnlyEcho");
-  CHECK(desk.isSpeaker(0, 0, 0));
-  desk.echoes = false;
-  desk.pass(10000);
-  CHECK(desk.history == "4000 OnlyEcho, 13000 NoBytes");
-}
-
-TEST_CASE("an echo beside others is no fault of the wire: who sends is told") {
-  Desk desk;
-  desk.echoes = true;
-  for (int second = 0; second < 12; ++second) {
-    if (second < 5) desk.beat(255, 190, kNoAutopilot, kStation);
-    desk.pass(1000);
-  }
-  CHECK(desk.history == "4000 NoAutopilot, 8000 OnlyEcho");
-  CHECK(desk.isSpeaker(255, 190, kStation));
-}
-
-TEST_CASE("an echo that has ended more than 3 s ago is none, while another board's frames come") {
-  Desk desk;
-  desk.echoes = true;
-  desk.pass(5000);
-  desk.echoes = false;
-  for (int second = 0; second < 8; ++second) {
-    desk.beat(1, 191, kNoAutopilot, kBoard, 0x4D4D0000);  // a doctor's, too, but its mark is another one
-    desk.pass(1000);
-  }
-  CHECK(desk.history == "4000 OnlyEcho, 8000 NoAutopilot");
-  CHECK(desk.isSpeaker(0, 0, 0));
+  desk.echo().pass(5000).echo(false);
+  for (int second = 0; second < 8; ++second) desk.beat(kBoard, 0x4D4D0000).pass(1000);
+  CHECK(desk.told() == "4000 OnlyEcho, 8000 NoAutopilot");
 }
 
 TEST_CASE("bytes that are no frames are told after 3 s, and frames that come then after 4 more") {
-  Desk desk;
-  desk.garbage = kText;
-  desk.pass(10000);
-  CHECK(desk.history == "3000 NoFrames");
-  desk.garbage.clear();
-  desk.beats = true;
-  desk.answers = kAlways;
-  desk.pass(10000);
-  CHECK(desk.history == "3000 NoFrames, 11000 Listening, 15000 Quiet");
+  CHECK(Desk().text().pass(10000).told() == "3000 NoFrames");
+  CHECK(Desk().text().pass(10000).noText().autopilot().pass(10000).told() ==
+        "3000 NoFrames, 11000 Listening, 15000 Quiet");
+  Desk lossy;  // of the heartbeats each second one is lost
+  lossy.text().pass(10000).noText();
+  for (int i = 0; i < 4; ++i) {
+    lossy.hear(heartbeatParts(ClientOnLine::kArduPilot));
+    lossy.pass(2000);
+  }
+  CHECK(lossy.told() == "3000 NoFrames, 11000 Listening, 15000 NotHeard");
 }
 
 TEST_CASE("frames that end while bytes still come are missed after 3 s; an end of both is one of the bytes") {
-  Well ends;
-  ends.pass(10000);
-  ends.beats = false;
-  ends.answers = 0;
-  ends.garbage = kText;
-  ends.pass(5000);
-  CHECK(ends.history == "4000 Quiet, 13000 NoFrames");
-  Well both;
-  both.tryBauds(57600);
-  both.pass(10000);
-  both.beats = false;
-  both.answers = 0;
-  both.garbage = kText;
-  both.pass(900);
-  both.garbage.clear();
-  both.pass(9100);
-  CHECK(both.history == "4000 Quiet, 14000 NoBytes");
+  CHECK(Desk().autopilot().pass(10000).silence().text().pass(5000).told() == "4000 Quiet, 13000 NoFrames");
+  Desk both;
+  both.tryBauds(57600).autopilot().pass(10000).silence().text().pass(900).noText().pass(9100);
+  CHECK(both.told() == "4000 Quiet, 14000 NoBytes");
   CHECK(both.opened.empty());
-}
-
-TEST_CASE("bytes that end 2 s before the frames are missed are none of a wrong rate's, and 1 s less are") {
-  for (uint32_t garbageMs : {900u, 1900u, 2900u}) {
-    CAPTURE(garbageMs);
-    Well desk;
-    desk.pass(10000);
-    desk.beats = false;
-    desk.answers = 0;
-    desk.garbage = kText;
-    desk.pass(garbageMs);
-    desk.garbage.clear();
-    desk.pass(8000);
-    const char* const kHistories[] = {"4000 Quiet, 14000 NoBytes", "4000 Quiet, 13000 NoFrames, 15000 NoBytes",
-                                      "4000 Quiet, 13000 NoFrames, 16000 NoBytes"};
-    CHECK(desk.history == kHistories[garbageMs / 1000]);
+  // Bytes that end 2 s before the frames are missed are none of a wrong rate's, and 1 s less are.
+  const char* const kHistories[] = {"4000 Quiet, 14000 NoBytes", "4000 Quiet, 13000 NoFrames, 15000 NoBytes",
+                                    "4000 Quiet, 13000 NoFrames, 16000 NoBytes"};
+  for (uint32_t i : {0u, 1u, 2u}) {
+    CHECK(Desk().autopilot().pass(10000).silence().text().pass(900 + 1000 * i).noText().pass(8000).told() ==
+          kHistories[i]);
   }
-}
-
-TEST_CASE("frames of which each second one is lost are listened to for 4 s as well") {
-  Desk desk;
-  desk.garbage = kText;
-  desk.pass(10000);
-  desk.garbage.clear();
-  for (int i = 0; i < 4; ++i) {
-    desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
-    desk.pass(2000);
-  }
-  CHECK(desk.history == "3000 NoFrames, 11000 Listening, 15000 NotHeard");
 }
 
 TEST_CASE("a fault is forgotten with the line on which it was") {
-  Well desk;
-  desk.pass(8500);
-  for (int i = 0; i < 3; ++i) desk.damaged();
-  desk.pass(3600);
-  desk.beats = false;
-  desk.answers = 0;
-  desk.pass(5900);
-  desk.beats = true;
-  desk.answers = kAlways;
-  desk.pass(2500);
-  desk.damaged();
-  desk.pass(6000);
-  CHECK(desk.history == "4000 Quiet, 12000 Damaged, 16000 NoBytes, 20000 Listening, 24000 Quiet");
+  Desk desk;
+  desk.autopilot().pass(8500).damaged(3).pass(3600).silence().pass(5900);
+  CHECK(desk.autopilot().pass(2500).damaged(1).pass(6000).told() ==
+        "4000 Quiet, 12000 Damaged, 16000 NoBytes, 20000 Listening, 24000 Quiet");
 }
 
 // --- The rates
 
 TEST_CASE("each rate is listened to for 3 s, the own one for 4, and all of them again and again") {
   Desk desk;
-  desk.tryBauds(57600);
+  desk.tryBauds(57600).text();
   CHECK(desk.doctor.baud() == 57600);
-  desk.garbage = kText;
-  desk.pass(32000);
-  CHECK(desk.history == "3000 TryingBauds, 27000 NoFramesAtAnyBaud");
+  CHECK(desk.pass(32000).told() == "3000 TryingBauds, 27000 NoFramesAtAnyBaud");
   CHECK(desk.opened ==
         "3000 115200, 6000 921600, 9000 38400, 12000 230400, 15000 460800, 18000 500000, 21000 19200, 24000 9600, "
         "27000 57600, 31000 115200");
   CHECK(desk.doctor.baud() == 115200);
   // Heartbeats leave at the own rate alone: at another one they would be garbage to the other end.
   CHECK(desk.heartbeats() == "1, 1001, 2001, 27001, 28001, 29001, 30001");
-}
-
-TEST_CASE("a rate of the sketch's own that no list has comes back behind all nine others") {
-  Desk desk;
-  desk.tryBauds(100000);
-  desk.garbage = kText;
-  desk.pass(31000);
-  CHECK(desk.opened ==
+  Desk own;  // one that no list has comes back behind all nine others
+  CHECK(own.tryBauds(100000).text().pass(31000).told() == "3000 TryingBauds, 30000 NoFramesAtAnyBaud");
+  CHECK(own.opened ==
         "3000 57600, 6000 115200, 9000 921600, 12000 38400, 15000 230400, 18000 460800, 21000 500000, 24000 19200, "
         "27000 9600, 30000 100000");
-  CHECK(desk.history == "3000 TryingBauds, 30000 NoFramesAtAnyBaud");
 }
 
 TEST_CASE("at the rate at which frames come the port stays, until none have come for more than 5 s") {
   Desk desk;
-  desk.tryBauds(57600);
-  desk.garbage = kText;
   desk.goodBaud = 921600;
-  desk.pass(20000);
-  CHECK(desk.history == "3000 TryingBauds, 7000 WrongBaud");
+  CHECK(desk.tryBauds(57600).text().pass(20000).told() == "3000 TryingBauds, 7000 WrongBaud");
   CHECK(desk.opened == "3000 115200, 6000 921600");
   CHECK(desk.doctor.baud() == 921600);
   CHECK(desk.questions().empty());
   desk.goodBaud = 0;
-  desk.pass(10000);
-  CHECK(desk.history == "3000 TryingBauds, 7000 WrongBaud, 25000 Listening, 29000 TryingBauds");
+  CHECK(desk.pass(10000).told() == "3000 TryingBauds, 7000 WrongBaud, 25000 Listening, 29000 TryingBauds");
   CHECK(desk.opened == "3000 115200, 6000 921600, 25000 57600, 29000 115200");
 }
 
 TEST_CASE("what was tried in vain is forgotten when the bytes end, or frames come") {
-  Desk desk;
-  desk.tryBauds(57600);
-  desk.garbage = kText;
-  desk.pass(27500);
-  desk.garbage.clear();
-  desk.pass(12500);
-  desk.garbage = kText;
-  desk.pass(6000);
-  CHECK(desk.history == "3000 TryingBauds, 27000 NoFramesAtAnyBaud, 31000 NoBytes, 41000 Listening, 45000 TryingBauds");
+  CHECK(Desk().tryBauds(57600).text().pass(27500).noText().pass(12500).text().pass(6000).told() ==
+        "3000 TryingBauds, 27000 NoFramesAtAnyBaud, 31000 NoBytes, 41000 Listening, 45000 TryingBauds");
   Desk other;
-  other.tryBauds(57600);
-  other.garbage = kText;
-  other.pass(28000);
-  other.beats = true;
-  other.garbage.clear();
-  other.answers = kAlways;
-  other.pass(6000);
-  other.beats = false;
-  other.garbage = kText;
-  other.pass(6000);
-  CHECK(other.history == "3000 TryingBauds, 27000 NoFramesAtAnyBaud, 29000 Listening, 33000 Quiet, 38000 TryingBauds");
+  other.tryBauds(57600).text().pass(28000).noText().autopilot().pass(6000).beats = false;
+  CHECK(other.text().pass(6000).told() ==
+        "3000 TryingBauds, 27000 NoFramesAtAnyBaud, 29000 Listening, 33000 Quiet, 38000 TryingBauds");
 }
 
 TEST_CASE("with a loop that is late no rate is tried: bytes are lost at each") {
@@ -386,96 +337,50 @@ TEST_CASE("with a loop that is late no rate is tried: bytes are lost at each") {
     Desk desk;
     desk.tryBauds(57600);
     for (int second = 0; second < 10; ++second) {
-      if (second < 6) desk.line.bring(Bytes(waiting, 'U'));
-      desk.turn(1);
-      desk.garbage = kText;
-      desk.pass(999);
+      if (second < 6) desk.bring(Bytes(waiting, 'U'));
+      desk.turn(1).text().pass(999);
     }
-    CHECK(desk.history == (waiting == 63 ? "3000 LoopLate, 8000 TryingBauds" : "3000 TryingBauds"));
+    CHECK(desk.told() == (waiting == 63 ? "3000 LoopLate, 8000 TryingBauds" : "3000 TryingBauds"));
   }
 }
 
 // --- Damage
 
-TEST_CASE("three damaged frames within 4 s are a fault, and two are none") {
-  for (uint32_t count : {1u, 2u, 3u}) {
-    CAPTURE(count);
-    Well desk;
-    desk.pass(8500);
-    for (uint32_t i = 0; i < count; ++i) {
-      desk.damaged();
-      desk.pass(1000);
-    }
-    desk.pass(8000);
-    CHECK(desk.history == (count == 3 ? "4000 Quiet, 12000 Damaged, 16000 Quiet" : "4000 Quiet"));
-  }
-}
-
-TEST_CASE("the fault lasts until nothing is damaged for 4 s") {
-  Well desk;
-  desk.pass(8500);
-  for (int i = 0; i < 3; ++i) desk.damaged();
-  desk.pass(5000);
-  desk.damaged();
-  desk.pass(4000);
-  desk.damaged();
-  desk.pass(10000);
-  CHECK(desk.history == "4000 Quiet, 12000 Damaged, 24000 Quiet");
-}
-
-TEST_CASE("frames that are cut short are damaged, too") {
-  Well desk;
-  desk.pass(8500);
-  for (int i = 0; i < 3; ++i) desk.broken();
-  desk.pass(8000);
-  CHECK(desk.history == "4000 Quiet, 12000 Damaged, 16000 Quiet");
-}
-
-TEST_CASE("what came before the first frame is no damage: another rate, or a boot loader's text") {
-  Well desk;
-  desk.beats = false;
-  for (int i = 0; i < 5; ++i) desk.damaged();
-  desk.pass(500);
-  desk.beats = true;
-  desk.pass(10000);
-  CHECK(desk.history == "5000 Quiet");
+TEST_CASE("three damaged frames within 4 s are a fault, which lasts until nothing is damaged for 4 s") {
+  const auto damaged = [](uint32_t count) {
+    return Desk().autopilot().pass(8500).damaged(count, 1000).pass(8000).told();
+  };
+  CHECK(damaged(1) == "4000 Quiet");
+  CHECK(damaged(2) == "4000 Quiet");
+  CHECK(damaged(3) == "4000 Quiet, 12000 Damaged, 16000 Quiet");
+  CHECK(Desk().autopilot().pass(8500).damaged(3).pass(5000).damaged(1).pass(4000).damaged(1).pass(10000).told() ==
+        "4000 Quiet, 12000 Damaged, 24000 Quiet");
+  // Frames that are cut short are damaged, too.
+  CHECK(Desk().autopilot().pass(8500).cut(3).pass(8000).told() == "4000 Quiet, 12000 Damaged, 16000 Quiet");
+  // What came before the first frame is no damage: another rate, or a boot loader's text.
+  CHECK(Desk().silence().damaged(5).pass(500).autopilot().pass(10000).told() == "5000 Quiet");
 }
 
 TEST_CASE("frames that are damaged while the loop is late are its fault") {
   for (uint32_t lateMs : {8001u, 8000u}) {
     CAPTURE(lateMs);
-    Well desk;
-    desk.pass(lateMs);
-    desk.line.bring(Bytes(63, 'U'));
-    desk.pass(8500 - lateMs);
-    for (int i = 0; i < 3; ++i) desk.damaged();
-    desk.pass(5000);
-    CHECK(desk.history == (lateMs == 8000 ? "4000 Quiet, 12000 Damaged" : "4000 Quiet, 12000 LoopLate"));
+    CHECK(Desk().autopilot().pass(lateMs).bring(Bytes(63, 'U')).pass(8500 - lateMs).damaged(3).pass(5000).told() ==
+          (lateMs == 8000 ? "4000 Quiet, 12000 Damaged" : "4000 Quiet, 12000 LoopLate"));
   }
 }
 
 // --- Who sends
 
-TEST_CASE("a station alone is no autopilot; who it is is told") {
+TEST_CASE("a station alone is no autopilot; who it is is told, and it is asked nothing") {
   Desk desk;
-  for (int second = 0; second < 400; ++second) {
-    desk.beat(255, 190, kNoAutopilot, kStation);
-    desk.pass(1000, 10);
-  }
-  CHECK(desk.history == "4000 NoAutopilot");
-  CHECK(desk.isSpeaker(255, 190, kStation));
+  CHECK(desk.beating({kStation}, 400, 10).told() == "4000 NoAutopilot; 255/190 is a station");
   CHECK(desk.questions().empty());
 }
 
-TEST_CASE("a sender without heartbeats is believed when eight of its frames come within 4 s") {
-  for (uint32_t count : {7u, 8u}) {
-    Desk desk;
-    desk.pass(10);
-    desk.chatter(count, 42, 77);
-    desk.pass(4990);
-    CHECK(desk.history == (count == 8 ? "3000 NoAutopilot, 4000 NoBytes" : "4000 NoBytes"));
-    CHECK(desk.isSpeaker(count == 8 ? 42 : 0, count == 8 ? 77 : 0, 0));
-  }
+TEST_CASE("a sender without heartbeats is believed when eight of its frames come within 4 s, as long as any other") {
+  CHECK(Desk().pass(10).chatter(7, kMute).pass(4990).told() == "4000 NoBytes");
+  CHECK(Desk().pass(10).chatter(8, kMute).pass(4990).told() == "3000 NoAutopilot, 4000 NoBytes; 42/77 is a stranger");
+  CHECK(Desk().chatter(8, kMute).text().pass(8000).told() == "3000 NoAutopilot, 6000 NoFrames; 42/77 is a stranger");
 }
 
 TEST_CASE("frames of which a quarter does not end where it should are garbage") {
@@ -485,181 +390,96 @@ TEST_CASE("frames of which a quarter does not end where it should are garbage") 
   } kCases[] = {{8, 1, true},   {8, 2, false}, {8, 3, false}, {12, 2, true},
                 {12, 3, false}, {16, 3, true}, {16, 4, false}};
   for (const auto& one : kCases) {
-    Desk desk;
-    desk.pass(10);
-    for (uint32_t i = 0; i < one.cut; ++i) desk.broken();
-    desk.chatter(one.whole, 42, 77);
-    desk.pass(2900 - 100 * one.cut);
-    CHECK(desk.isSpeaker(one.isBelieved ? 42 : 0, one.isBelieved ? 77 : 0, 0));
+    CHECK(Desk().pass(10).cut(one.cut).chatter(one.whole, kMute).pass(2900 - 100 * one.cut).speaker() ==
+          (one.isBelieved ? "; 42/77 is a stranger" : ""));
   }
-  // What was broken more than 4 s ago does not count.
-  Desk later;
-  for (int i = 0; i < 3; ++i) later.broken();
-  later.garbage = kText;
-  later.pass(3800);
-  later.garbage.clear();
-  later.chatter(8, 42, 77);
-  later.pass(1500);
-  CHECK(later.isSpeaker(42, 77, 0));
-}
-
-TEST_CASE("a sender without heartbeats is believed for as long as one with them") {
-  Desk desk;
-  desk.chatter(8, 42, 77);
-  desk.garbage = kText;
-  desk.pass(8000);
-  CHECK(desk.history == "3000 NoAutopilot, 6000 NoFrames");
+  // What was cut more than 4 s ago does not count.
+  CHECK(Desk().cut(3).text().pass(3800).noText().chatter(8, kMute).pass(1500).speaker() == "; 42/77 is a stranger");
 }
 
 TEST_CASE("a sender without heartbeats is told when autopilot and others have been silent for more than 5 s") {
-  for (bool isAutopilot : {true, false}) {
-    CAPTURE(isAutopilot);
+  for (const Who& other : {kCopter, kStation}) {
     Desk desk;
     for (int tenths = 0; tenths < 148; ++tenths) {
-      if (tenths % 10 == 0 && tenths <= 90) {
-        isAutopilot ? desk.beat(1, 1, kAutopilot, kCopter) : desk.beat(255, 190, kNoAutopilot, kStation);
-      }
-      desk.chatter(1, 42, 77);
-      desk.pass(90);
+      if (tenths % 10 == 0 && tenths <= 90) desk.beat(other);
+      desk.chatter(1, kMute, 90);
     }
-    CHECK(desk.isSpeaker(isAutopilot ? 0 : 255, isAutopilot ? 0 : 190, isAutopilot ? 0 : uint8_t{kStation}));
-    desk.chatter(1, 42, 77);
-    desk.pass(300);
-    CHECK(desk.isSpeaker(42, 77, 0));
+    CHECK(desk.speaker() == (other.type == kCopter.type ? "" : "; 255/190 is a station"));
+    CHECK(desk.chatter(1, kMute, 300).speaker() == "; 42/77 is a stranger");
   }
-  // Our own frames that come back are nobody's.
-  Desk echo;
-  for (int tenths = 0; tenths < 60; ++tenths) {
-    echo.chatter(1, 1, 191);
-    echo.pass(90);
-  }
-  CHECK(echo.isSpeaker(0, 0, 0));
+  CHECK(Desk().chatter(60, kBoard, 90).speaker() == "");  // our own frames that come back are nobody's
 }
 
 TEST_CASE("the last sender but the client's autopilot is told, and is no fault beside it") {
-  Well desk;
-  for (int second = 0; second < 10; ++second) {
-    desk.beat(255, 190, kNoAutopilot, kStation);
-    desk.chatter(1, 42, 77);
-    desk.pass(1000);
-  }
-  CHECK(desk.history == "4000 Quiet");
-  CHECK(desk.isSpeaker(255, 190, kStation));
-  desk.beat(1, 154, kNoAutopilot, MAV_TYPE_GIMBAL);
-  desk.pass(10);
-  CHECK(desk.isSpeaker(1, 154, MAV_TYPE_GIMBAL));
+  Desk desk;
+  desk.autopilot();
+  for (int second = 0; second < 10; ++second) desk.beat(kStation).chatter(1, kMute, 1000);
+  CHECK(desk.told() == "4000 Quiet; 255/190 is a station");
+  CHECK(desk.beat(kGimbal).pass(10).told() == "4000 Quiet; 1/154 is a gimbal");
 }
 
 TEST_CASE("two autopilots are told, and nothing is sent to either; named ones are one") {
   Desk desk;
-  const auto both = [&desk](int seconds) {
-    for (; seconds != 0; --seconds) {
-      desk.beat(1, 1, kAutopilot, kCopter);
-      desk.beat(2, 1, kAutopilot, kCopter);
-      desk.pass(1000);
-    }
-  };
-  both(8);
-  CHECK(desk.history == "4000 SeveralAutopilots");
-  CHECK(desk.isSpeaker(2, 1, kCopter));
+  CHECK(desk.beating({kCopter, kSecond}, 8).told() == "4000 SeveralAutopilots; 2/1 is a copter");
   CHECK(desk.questions().empty());
   const std::string before = desk.heartbeats();
-  both(2);
-  CHECK(desk.heartbeats() == before);
+  CHECK(desk.beating({kCopter, kSecond}, 2).heartbeats() == before);
   desk.client.setTargetIds(2);
-  desk.answers = 0;
-  both(3);
-  CHECK(desk.isSpeaker(1, 1, kCopter));
+  CHECK(desk.beating({kCopter, kSecond}, 3).speaker() == "; 1/1 is a copter");
   CHECK_FALSE(desk.questions().empty());
 }
 
-TEST_CASE("an autopilot that is not the one named is another one, and none when it is gone") {
+TEST_CASE("an autopilot that is not the one named is another one, and none when it is gone for 3 s") {
   Desk desk;
   desk.client.setTargetIds(9, 1);
-  for (int second = 0; second < 8; ++second) {
-    desk.beat(1, 1, kAutopilot, kCopter);
-    desk.pass(1000);
-  }
-  CHECK(desk.history == "4000 OtherAutopilot");
-  CHECK(desk.isSpeaker(1, 1, kCopter));
-  for (int second = 0; second < 8; ++second) {
-    desk.beat(255, 190, kNoAutopilot, kStation);
-    desk.pass(1000);
-  }
-  CHECK(desk.history == "4000 OtherAutopilot, 13000 NoAutopilot");
-  CHECK(desk.isSpeaker(255, 190, kStation));
-}
-
-TEST_CASE("another autopilot than the one named counts as heard for 3 s") {
+  CHECK(desk.beating({kCopter}, 8).told() == "4000 OtherAutopilot; 1/1 is a copter");
+  CHECK(desk.beating({kStation}, 8).told() == "4000 OtherAutopilot, 13000 NoAutopilot; 255/190 is a station");
   for (uint32_t heardMs : {900u, 1100u}) {
-    Desk desk;
-    desk.client.setTargetIds(9, 1);
+    Desk other;
+    other.client.setTargetIds(9, 1);
     for (uint32_t ms = 0; ms < 4500; ms += 100) {
-      if (ms % 1000 == 0) desk.beat(255, 190, kNoAutopilot, kStation);
-      if (ms == heardMs) desk.beat(1, 1, kAutopilot, kCopter);
-      desk.pass(100);
+      if (ms % 1000 == 0) other.beat(kStation);
+      if (ms == heardMs) other.beat(kCopter);
+      other.pass(100);
     }
-    CHECK((desk.doctor.verdict() == (heardMs == 1100 ? Verdict::OtherAutopilot : Verdict::Listening)));
+    CHECK((other.doctor.verdict() == (heardMs == 1100 ? Verdict::OtherAutopilot : Verdict::Listening)));
   }
 }
 
 TEST_CASE("an autopilot with our own ids does not hear us") {
   Desk desk;
   desk.client.setSourceIds(1, 1);
-  desk.beats = true;
-  desk.pass(8000);
-  CHECK(desk.history == "4000 SameIds");
-  CHECK(desk.isSpeaker(0, 0, 0));
+  CHECK(desk.autopilot(0).pass(8000).told() == "4000 SameIds");
 }
 
 // --- Whether we are heard
 
 TEST_CASE("all is well: every 4 s it is judged anew whether much telemetry comes") {
   for (uint32_t telemetry : {3u, 4u}) {
-    Well desk;
+    Desk desk;
     desk.telemetry = telemetry;
-    desk.pass(9000);
     // With 4 heartbeats, an answer, and 12 or 16 others; not all of the first 4 s were counted.
-    CHECK(desk.history == (telemetry == 4 ? "4000 Quiet, 8000 Well" : "4000 Quiet"));
+    CHECK(desk.autopilot().pass(9000).told() == (telemetry == 4 ? "4000 Quiet, 8000 Well" : "4000 Quiet"));
     CHECK(isWell(desk.doctor.verdict()));
   }
-  for (uint32_t count : {15u, 16u}) {
-    Well desk;
-    desk.pass(12500);
-    desk.chatter(count);
-    desk.pass(8000);
-    CHECK(desk.history == (count == 16 ? "4000 Quiet, 16000 Well, 20000 Quiet" : "4000 Quiet"));
-  }
+  CHECK(Desk().autopilot().pass(12500).chatter(15).pass(8000).told() == "4000 Quiet");
+  CHECK(Desk().autopilot().pass(12500).chatter(16).pass(8000).told() == "4000 Quiet, 16000 Well, 20000 Quiet");
 }
 
 TEST_CASE("an autopilot that answers is asked every 5 s, and one that does not every second") {
-  Well desk;
-  desk.answers = 2;
-  desk.pass(15500);
+  Desk desk;
+  CHECK(desk.autopilot(2).pass(15500).told() == "4000 Quiet, 15000 NotHeard");
   CHECK(desk.questions() == "1001, 6001, 11001, 12001, 13001, 14001, 15001");
-  CHECK(desk.history == "4000 Quiet, 15000 NotHeard");
-  desk.answers = kAlways;
-  desk.pass(6500);
-  CHECK(desk.history == "4000 Quiet, 15000 NotHeard, 17000 Quiet");
+  CHECK(desk.autopilot().pass(6500).told() == "4000 Quiet, 15000 NotHeard, 17000 Quiet");
   CHECK(desk.questions() == "1001, 6001, 11001, 12001, 13001, 14001, 15001, 16001, 21001");
 }
 
-TEST_CASE("an autopilot that never answers does not hear us, however long that lasts") {
+TEST_CASE("one that never answers does not hear us, however long that lasts; if it signs it takes signed ones alone") {
+  CHECK(Desk().autopilot(0).pass(4500).told() == "");
+  CHECK(Desk().autopilot(0).pass(4500).pass(300000, 10).told() == "5000 NotHeard");
   Desk desk;
-  desk.beats = true;
-  desk.pass(4500);
-  CHECK((desk.doctor.verdict() == Verdict::Listening));
-  desk.pass(300000, 10);
-  CHECK(desk.history == "5000 NotHeard");
-}
-
-TEST_CASE("one that signs and does not answer takes signed messages alone") {
-  Desk desk;
-  for (int second = 0; second < 12; ++second) {
-    desk.beat(1, 1, kAutopilot, kCopter, 0, second < 8);
-    desk.pass(1000);
-  }
-  CHECK(desk.history == "5000 Signing, 11000 NotHeard");
+  for (int second = 0; second < 12; ++second) desk.beat(kCopter, 0, second < 8).pass(1000);
+  CHECK(desk.told() == "5000 Signing, 11000 NotHeard");
 }
 
 TEST_CASE("an answer is a message for us, or that to our own question where it has no target") {
@@ -675,84 +495,49 @@ TEST_CASE("an answer is a message for us, or that to our own question where it h
   for (const auto& one : kCases) {
     CAPTURE(one.command);
     CAPTURE(int{one.system});
-    Desk desk;
-    desk.beats = true;
-    for (int second = 0; second < 8; ++second) {
-      desk.pass(500);
-      desk.answer(one.command, one.system, one.component);
-      desk.pass(500);
-    }
-    CHECK(desk.history == (one.isAnswer ? "4000 Quiet" : "5000 NotHeard"));
+    const auto answer = [&one](Desk& desk) { desk.answer(one.command, one.system, one.component); };
+    CHECK(Desk().autopilot(0).eachSecond(answer).told() == (one.isAnswer ? "4000 Quiet" : "5000 NotHeard"));
   }
+  // Of the mission's messages those for us show that we are heard.
+  CHECK(Desk().autopilot(0).eachSecond([](Desk& desk) { desk.hear(ackParts(0)); }).told() == "4000 Quiet");
+  const auto current = [](Desk& desk) { desk.hear(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28)); };
+  CHECK(Desk().autopilot(0).eachSecond(current).told() == "5000 NotHeard");
 }
 
-TEST_CASE("of the mission's messages those for us show that we are heard, and a MISSION_CURRENT does not") {
-  for (bool isAck : {true, false}) {
-    Desk desk;
-    desk.beats = true;
-    for (int second = 0; second < 8; ++second) {
-      desk.pass(500);
-      desk.hear(isAck ? ackParts(0) : FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28));
-      desk.pass(500);
-    }
-    CHECK(desk.history == (isAck ? "4000 Quiet" : "5000 NotHeard"));
-  }
-}
-
-TEST_CASE("nothing is asked while an operation of the client's transfers") {
-  Well desk;
-  desk.pass(5500);
+TEST_CASE("nothing is asked while an operation transfers; without room to send a question waits, and is asked once") {
+  Desk desk;
+  desk.autopilot().pass(5500);
   desk.client.setMessageInterval(30, 100000);
   desk.pass(7000);
   REQUIRE((desk.client.status() == Status::Transferring));
   CHECK(desk.questions() == "1001");
-  desk.pass(2000);
-  CHECK(desk.questions() == "1001, 14001");
-}
-
-TEST_CASE("without room to send a question waits, and is asked only once") {
-  Well desk;
-  desk.pass(5500);
-  desk.line.room = 0;
-  desk.pass(4000);
-  CHECK(desk.questions() == "1001");
-  desk.line.room = MemoryStream::kAlwaysRoom;
-  desk.pass(1000);
-  CHECK(desk.history == "4000 Quiet");
+  CHECK(desk.pass(2000).questions() == "1001, 14001");
+  Desk full;
+  full.autopilot().pass(5500).line.room = 0;
+  CHECK(full.pass(4000).questions() == "1001");
+  full.line.room = MemoryStream::kAlwaysRoom;
+  CHECK(full.pass(1000).told() == "4000 Quiet");
 }
 
 // --- What is sent
 
 TEST_CASE("before an autopilot is heard a heartbeat leaves each second, with the ids of an onboard computer") {
   Desk desk;
-  desk.pass(3500);
-  CHECK(desk.heartbeats() == "1, 1001, 2001, 3001");
+  CHECK(desk.pass(3500).heartbeats() == "1, 1001, 2001, 3001");
   CHECK(desk.own == "1/191 beats");
-  desk.beat(7, 1, kAutopilot, kCopter);
-  desk.pass(1000);
-  CHECK(desk.own == "1/191 beats, 7/191 asks");
+  CHECK(desk.beat({7, 1, kAutopilot, MAV_TYPE_QUADROTOR}).pass(1000).own == "1/191 beats, 7/191 asks");
   Desk named;
   named.client.setSourceIds(33, 44);
-  named.pass(2000);
-  CHECK(named.own == "33/44 beats");
+  CHECK(named.pass(2000).own == "33/44 beats");
 }
 
 // --- Time
 
 TEST_CASE("seconds that a late loop has missed are not counted") {
-  Desk slow;
-  slow.pass(30000, 3000);
-  CHECK(slow.history == "9000 NoBytes");
-  Desk late;
-  late.turn(1300);
-  late.pass(5200, 1300);
-  CHECK(late.history == "3900 NoBytes");
-  for (uint32_t gapMs : {1999u, 2000u}) {
-    Desk desk;
-    desk.turn(gapMs);
-    desk.pass(5000);
-    CHECK(desk.history == (gapMs == 1999 ? "3000 NoBytes" : "4000 NoBytes"));
-  }
+  CHECK(Desk().pass(30000, 3000).told() == "9000 NoBytes");
+  CHECK(Desk().turn(1300).pass(5200, 1300).told() == "3900 NoBytes");
+  CHECK(Desk().turn(1999).pass(5000).told() == "3000 NoBytes");
+  CHECK(Desk().turn(2000).pass(5000).told() == "4000 NoBytes");
 }
 
 TEST_CASE("each verdict has its text") {
