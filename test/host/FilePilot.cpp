@@ -1,45 +1,110 @@
 #include "FilePilot.h"
 
-FilePilot::FilePilot(uint8_t autopilot) : ClientOnLine(autopilot), files(client), isPx4_(autopilot == kPx4) {
-  beats = false;
-}
+using mavmission::ItemSource;
+using mavmission::PlanType;
 
-void FilePilot::pass(uint32_t ms) {
-  for (; ms != 0; --ms) one();
-}
+FilePilot::FilePilot(uint8_t autopilot) : AnsweringPeer(autopilot), files(client), isPx4_(autopilot == kPx4) {}
 
-mavmission::Status FilePilot::end(uint32_t limitMs) {
+std::string FilePilot::how() {
   ended = mavmission::Status::Idle;
-  const uint32_t beganMs = nowMs();
-  for (; limitMs != 0 && ended == mavmission::Status::Idle; --limitMs) one();
-  tookMs = nowMs() - beganMs;
-  return ended;
-}
-
-bool FilePilot::passUntil(const std::string& words, uint32_t limitMs) {
-  for (; limitMs != 0; --limitMs) {
+  for (const uint32_t startMs = nowMs(); ended == mavmission::Status::Idle && nowMs() - startMs < 60000;) {
     const size_t before = said_.size();
     one();
-    for (size_t i = before; i < said_.size(); ++i) {
-      if (said_[i].compare(0, words.size(), words) == 0) return true;
-    }
+    const bool isByItems = said_.size() > before && said_.back().find("items") != std::string::npos;
+    if (isByItems && !servesItems) return said();
   }
-  return false;
+  std::string text = nameOf(ended);
+  const bool isItem = client.failedItem() != mavmission::MissionClient::kNoItem;
+  if (isItem) text += " item " + std::to_string(client.failedItem());
+  if (client.differingField() != mavmission::ItemField::None)
+    text += std::string(" ") + nameOf(client.differingField());
+  return text + (files.isByFile() ? " by file, " : ", ") + nameOf(client.aboard()) + ": " + said();
 }
 
-std::string FilePilot::said() {
-  std::string text;
-  for (const std::string& one : said_) text += (text.empty() ? "" : ", ") + one;
-  said_.clear();
-  saidMs.clear();
-  return text;
+std::string FilePilot::says(uint32_t ms) {
+  said();
+  pass(ms);
+  return said();
 }
 
-void FilePilot::hold(const std::vector<mavmission::MissionItem>& plan) {
+FilePilot& FilePilot::settle() {
+  says(4000);
+  return *this;
+}
+
+FilePilot& FilePilot::has(const Plan& plan) {
   plans[0].assign(1, home());
   for (const mavmission::MissionItem& item : plan) {
     plans[0].push_back(bytesOf(item, static_cast<uint16_t>(plans[0].size())));
   }
+  return *this;
+}
+
+FilePilot& FilePilot::answering(uint8_t opcode, int result) {
+  gives[opcode] = result;
+  return *this;
+}
+
+FilePilot& FilePilot::answering() {
+  gives.clear();
+  return *this;
+}
+
+FilePilot& FilePilot::serving() {
+  servesItems = true;
+  return *this;
+}
+
+FilePilot& FilePilot::armed(bool isAllowed) {
+  baseMode = 128 | 1;
+  beat();
+  client.allowWhileArmed(isAllowed);
+  return *this;
+}
+
+FilePilot& FilePilot::losing() {
+  for (int frames = 0; frames < 100; ++frames) {
+    lose(3);
+    beat();
+    pass(5);
+  }
+  return *this;
+}
+
+FilePilot& FilePilot::upload(const Plan& plan, PlanType ofType) {
+  files.upload(sourceOf(plan), ofType);
+  return *this;
+}
+
+FilePilot& FilePilot::verify(const Plan& plan) {
+  files.verify(sourceOf(plan));
+  return *this;
+}
+
+FilePilot& FilePilot::ensure(const Plan& plan, PlanType ofType) {
+  files.ensure(sourceOf(plan), ofType);
+  return *this;
+}
+
+FilePilot& FilePilot::download(uint16_t limit, PlanType ofType) {
+  taken.clear();
+  files.download(mavmission::toFunction(take, this, limit), ofType);
+  return *this;
+}
+
+FilePilot& FilePilot::until(const std::string& words) {
+  if (!passUntil(words)) say("never said: " + words);
+  return *this;
+}
+
+FilePilot& FilePilot::wait(uint32_t ms) {
+  pass(ms);
+  return *this;
+}
+
+FilePilot& FilePilot::cancel() {
+  client.cancel();
+  return *this;
 }
 
 Bytes FilePilot::bytesOf(mavmission::MissionItem item, uint16_t seq) const {
@@ -97,8 +162,58 @@ void FilePilot::one() {
   const size_t before = sent.size();
   run(1);
   for (size_t i = before; i < sent.size(); ++i) {
-    if (sent[i].messageId == 110) react(sent[i].payload);
+    const Bytes payload = sent[i].payload;
+    switch (sent[i].messageId) {
+      case 110: react(payload); break;
+      case kRequestList: giveCount(); break;
+      case kCount: takeItem(0, payload[0]); break;
+      case kItemInt: takeItem(static_cast<uint16_t>(payload[28] + 1), itemsToTake_); break;
+      case kRequest:
+      case kRequestInt: giveItem(payload[0]); break;
+      default: break;
+    }
   }
+}
+
+void FilePilot::giveCount() {
+  say(files.isByFile() ? "prove items" : "read items");
+  isFirst_ = true;
+  if (servesItems) hear(countParts(static_cast<uint16_t>(plans[0].size() + tooMany)));
+}
+
+void FilePilot::giveItem(uint8_t number) {
+  if (isFirst_ && number != 0) said_.back() += " from " + std::to_string(number);
+  isFirst_ = false;
+  if (!servesItems || number >= plans[0].size()) return;
+  mavlink_mission_item_int_t item = itemAboard(number);
+  if (number == damaged) item.z += 1;
+  item.target_system = 1;
+  item.target_component = 191;
+  Bytes bytes(sizeof(item));
+  memcpy(bytes.data(), &item, sizeof(item));
+  hear(FrameParts(kItemInt, bytes, 38));
+}
+
+void FilePilot::takeItem(uint16_t number, uint16_t items) {
+  if (number == 0) {
+    itemsToTake_ = items;
+    say("upload items");
+  }
+  if (!servesItems || takenAs == kSilent) return;
+  damaged = 0;
+  tooMany = 0;
+  hear(number == items ? ackParts(static_cast<uint8_t>(takenAs), 1, 191, 0, nameOfPlan) : requestParts(number));
+}
+
+bool FilePilot::take(void* context, uint16_t index, const mavmission::MissionItem& item) {
+  FilePilot& self = *static_cast<FilePilot*>(context);
+  if (self.taken.size() == self.takes) return false;
+  self.taken.push_back({index, item});
+  return true;
+}
+
+ItemSource FilePilot::sourceOf(const Plan& plan) {
+  return mavmission::inRam(plan.data(), static_cast<uint32_t>(plan.size()));
 }
 
 uint32_t FilePilot::longAt(const Bytes& bytes, size_t at) {
@@ -116,8 +231,8 @@ void FilePilot::react(const Bytes& request) {
   std::string words;
   switch (opcode) {
     case kTerminate: words = "close"; break;
-    case kOpen: words = "open " + std::string(data.begin(), data.end()); break;
-    case kCreate: words = "create " + std::string(data.begin(), data.end()); break;
+    case kOpen: words = "open " + fileOf(data); break;
+    case kCreate: words = "create " + fileOf(data); break;
     case kRead: words = "read " + range; break;
     case kBurst: words = "burst " + range; break;
     case kWrite: words = "write " + range; break;
@@ -126,13 +241,8 @@ void FilePilot::react(const Bytes& request) {
   const bool isClean = request[0] == 0 && request[8] == 0 && request[9] == 0 && request[10] == 0;
   if (request[1] != 1 || request[2] != 1 || !isClean) words += " !";
   if (opcode == kOpen || opcode == kCreate) type = data[9] == 'm' ? 0 : data[9] == 'f' ? 1 : 2;
-  said_.push_back(words);
-  saidMs.push_back(nowMs());
-  int result = gives.count(opcode) != 0 ? gives[opcode] : 0;
-  if (once.count(opcode) != 0) {
-    result = once[opcode];
-    once.erase(opcode);
-  }
+  say(words);
+  const int result = resultOf(opcode);
   if (result == kUnheard) return;
   const uint16_t number = static_cast<uint16_t>(sequence + 1);
   if (result > 0) {
@@ -155,6 +265,14 @@ void FilePilot::react(const Bytes& request) {
     default: break;
   }
   if (result != kSilent) in(delayMs, {number, session, 128, opcode, offset, answer, false});
+}
+
+std::string FilePilot::fileOf(const Bytes& path) {
+  const std::string text(path.begin(), path.end());
+  for (const char* name : {"mission", "fence", "rally"}) {
+    if (text == std::string("@MISSION/") + name + ".dat") return name;
+  }
+  return text;
 }
 
 Bytes FilePilot::file() const {
@@ -194,4 +312,29 @@ void FilePilot::store() {
   header.assign(written_.begin(), written_.begin() + 10);
   ++stored;
   written_.clear();
+}
+
+namespace {
+
+using namespace mavmission;
+
+FilePilot::Plan planOf(Metres height) {
+  return {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
+          waypoint(-35.3642621_deg, 149.1662374_deg, height), returnToLaunch()};
+}
+
+}  // namespace
+
+const FilePilot::Plan kFourItems = planOf(30_m), kOneHigher = planOf(31_m),
+                      kTwoItems(kFourItems.begin(), kFourItems.begin() + 2);
+const FilePilot::Plan kThreeCorners = {fenceInside(-35.3632621_deg, 149.1652374_deg, 3),
+                                       fenceInside(-35.3642621_deg, 149.1652374_deg, 3),
+                                       fenceInside(-35.3642621_deg, 149.1662374_deg, 3)};
+
+FilePilot::Plan manyWaypoints(int number) {
+  FilePilot::Plan plan;
+  for (int i = 0; i < number; ++i) {
+    plan.push_back(waypoint(Degrees::fromE7(100000 + i), Degrees::fromE7(200000 + i), 20_m));
+  }
+  return plan;
 }

@@ -7,196 +7,98 @@ using namespace mavmission;
 
 namespace {
 
-constexpr MissionItem kPlan[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-                                 waypoint(-35.3642621_deg, 149.1662374_deg, 30_m), returnToLaunch()};
-constexpr uint8_t kArmed = 128 | 1;
+constexpr int kSilent = FilePilot::kUnheard;
+constexpr uint8_t kOpen = FilePilot::kOpen, kBurst = FilePilot::kBurst;
+constexpr uint8_t kCreate = FilePilot::kCreate, kWrite = FilePilot::kWrite, kClose = FilePilot::kTerminate;
 
+// Found or behind a reset, with our plan aboard.
 struct Pilot : FilePilot {
-  Pilot() : FilePilot(kArduPilot) { hold({kPlan[0], kPlan[1], kPlan[2], kPlan[3]}); }
-  // Found, and with no file that could be open.
-  void settle() {
-    pass(4000);
-    said();
+  explicit Pilot(bool isFound = true) {
+    has(kFourItems);
+    if (isFound) settle();
   }
-  void ignore(uint8_t opcode) { gives[opcode] = kUnheard; }
 };
 
 }  // namespace
 
-TEST_CASE("the file of an opening that was not answered is closed though the autopilot is armed by now") {
+TEST_CASE("what was left open is closed though the autopilot is armed by now, and a complete plan is spoilt before") {
+  // It may be open by an opening that was not answered.
+  CHECK(Pilot().answering(kOpen, kSilent).verify(kFourItems).until("open").cancel().armed(false).says(3000) == "close");
   Pilot pilot;
-  pilot.settle();
-  pilot.ignore(FilePilot::kOpen);
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("open"));
-  pilot.client.cancel();
-  pilot.baseMode = kArmed;
-  pilot.said();
-  pilot.pass(3000);
-  CHECK(pilot.said() == "close");
-}
-
-TEST_CASE("a plan that is complete in its file is spoilt though the autopilot is armed by now") {
-  Pilot pilot;
-  pilot.settle();
-  pilot.files.upload(inRam(kPlan));
-  REQUIRE(pilot.passUntil("write 0+10"));
-  pilot.client.cancel();
-  pilot.baseMode = kArmed;
-  pilot.pass(100);
-  pilot.said();
-  pilot.sent.clear();
-  pilot.pass(4000);
-  CHECK(pilot.said() == "write 0+10, close");
+  pilot.upload(kFourItems).until("write 0+10").cancel().armed(false).sent.clear();
+  CHECK(pilot.says(4000) == "write 0+10, close");
   CHECK(pilot.stored == 0);
-  // The header is all zero.
-  for (const SentFrame& frame : pilot.sent) {
+  for (const SentFrame& frame : pilot.sent) {  // the header is all zero
     if (frame.messageId != 110) continue;
     CHECK(Bytes(frame.payload.begin() + 15, frame.payload.end()) == Bytes(frame.payload.size() - 15, 0));
   }
 }
 
-TEST_CASE("what is closed behind a reset has the session's own number") {
-  Pilot pilot;
-  REQUIRE(pilot.passUntil("write 0+10"));
-  CHECK(pilot.session == static_cast<uint8_t>((1 * 31) ^ 191 ^ 0x5A));
-}
-
 TEST_CASE("an answer to another session, or to another component, closes nothing") {
   Pilot pilot;
-  pilot.settle();
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("read"));
-  pilot.client.cancel();
-  pilot.ignore(FilePilot::kTerminate);
-  REQUIRE(pilot.passUntil("close"));
+  pilot.verify(kFourItems).until("read").cancel().answering(kClose, kSilent).until("close");
   const uint16_t number = static_cast<uint16_t>(pilot.sequence + 1);
-  pilot.reply(number, static_cast<uint8_t>(pilot.session + 1), 128, FilePilot::kTerminate, 0, {});
-  pilot.hear(FrameParts(110,
-                        {0, 1, 192, static_cast<uint8_t>(number), static_cast<uint8_t>(number >> 8), pilot.session, 128,
-                         0, FilePilot::kTerminate, 0, 0, 0, 0, 0, 0, 1},
-                        84));
+  const uint8_t low = static_cast<uint8_t>(number), high = static_cast<uint8_t>(number >> 8);
+  pilot.reply(number, static_cast<uint8_t>(pilot.session + 1), 128, kClose, 0, {});
+  pilot.hear(FrameParts(110, {0, 1, 192, low, high, pilot.session, 128, 0, kClose, 0, 0, 0, 0, 0, 0, 1}, 84));
   CHECK(pilot.passUntil("close", 1500));
-  pilot.reply(static_cast<uint16_t>(pilot.sequence + 1), pilot.session, 128, FilePilot::kTerminate, 0, {});
-  CHECK_FALSE(pilot.passUntil("close", 3000));
+  pilot.reply(static_cast<uint16_t>(pilot.sequence + 1), pilot.session, 128, kClose, 0, {});
+  CHECK(pilot.says(3000) == "");
 }
 
-TEST_CASE("where no file was open behind a reset, the next one has no header that could be spoilt") {
+TEST_CASE("a file without a header that could be spoilt is only closed") {
+  // No file was open behind a reset.
   for (int error : {int{FilePilot::kInvalidSession}, int{FilePilot::kFileNotFound}}) {
-    Pilot pilot;
-    pilot.gives[FilePilot::kWrite] = error;
-    pilot.settle();
-    pilot.ignore(FilePilot::kCreate);
-    pilot.files.upload(inRam(kPlan));
-    REQUIRE(pilot.passUntil("create"));
-    pilot.client.cancel();
-    pilot.said();
-    pilot.pass(3000);
-    CHECK(pilot.said() == "close");
+    Pilot pilot(false);
+    pilot.answering(kWrite, error).settle().answering(kCreate, kSilent).upload(kFourItems).until("create").cancel();
+    CHECK(pilot.says(3000) == "close");
   }
+  // It was opened before any other could be closed.
+  Pilot armed(false);
+  armed.baseMode = 128 | 1;
+  CHECK(armed.settle().verify(kFourItems).until("read").cancel().says(3000) == "close");
+  // It was the proof of a plan that was stored.
+  Pilot proof;
+  CHECK(proof.answering(kOpen, kSilent).upload(kFourItems).until("open").cancel().says(3000) == "close");
+  CHECK(proof.stored == 1);
+  // The header was refused, since somebody else has the file.
+  Pilot refused;
+  refused.upload(kFourItems).until("write 10").once[kWrite] = FilePilot::kInvalidSession;
+  refused.until("write 0+10").wait(50).cancel().answering(kOpen, kSilent).verify(kFourItems).until("open").cancel();
+  CHECK(refused.says(3000) == "close");
 }
 
-TEST_CASE("a file that was opened before any other could be closed has no header") {
-  Pilot pilot;
-  pilot.baseMode = kArmed;
-  pilot.settle();
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("read"));
-  pilot.client.cancel();
-  pilot.said();
-  pilot.pass(3000);
-  CHECK(pilot.said() == "close");
-}
-
-TEST_CASE("behind a plan that was stored, the file of its proof has no header") {
-  Pilot pilot;
-  pilot.settle();
-  pilot.ignore(FilePilot::kOpen);
-  pilot.files.upload(inRam(kPlan));
-  REQUIRE(pilot.passUntil("open"));
-  pilot.client.cancel();
-  pilot.said();
-  pilot.pass(3000);
-  CHECK(pilot.said() == "close");
-  CHECK(pilot.stored == 1);
-}
-
-TEST_CASE("a file that was open behind a reset is closed until that is answered, and it is not spoilt again") {
-  Pilot pilot;
-  pilot.ignore(FilePilot::kTerminate);
-  REQUIRE(pilot.passUntil("write 0+10"));
-  pilot.said();
-  pilot.pass(10000);
-  CHECK(pilot.said() == "close, close, close, close, close, close, close, close, close, close");
-}
-
-TEST_CASE("behind a reset nobody answers: what an operation may have opened meanwhile is closed without being spoilt") {
-  Pilot pilot;
-  pilot.ignore(FilePilot::kWrite);
-  pilot.ignore(FilePilot::kTerminate);
-  pilot.ignore(FilePilot::kOpen);
-  REQUIRE(pilot.passUntil("write 0+10"));
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("open"));
-  pilot.client.cancel();
-  pilot.said();
-  pilot.pass(20000);
-  CHECK(pilot.said() == "write 0+10, write 0+10, write 0+10, write 0+10, close, close, close, close, close");
+TEST_CASE("what is closed behind a reset has the session's own number, is spoilt once, and closed until answered") {
+  Pilot pilot(false);
+  pilot.answering(kClose, kSilent).until("write 0+10");
+  CHECK(pilot.session == static_cast<uint8_t>((1 * 31) ^ 191 ^ 0x5A));
+  CHECK(pilot.says(10000) == "close, close, close, close, close, close, close, close, close, close");
+  // Nobody answers: what an operation may have opened meanwhile is closed without being spoilt.
+  Pilot silent(false);
+  silent.answering(kWrite, kSilent).answering(kClose, kSilent).answering(kOpen, kSilent).until("write 0+10");
+  CHECK(silent.verify(kFourItems).until("open").cancel().says(20000) ==
+        "write 0+10, write 0+10, write 0+10, write 0+10, close, close, close, close, close");
 }
 
 TEST_CASE("no file is closed while an operation has it open") {
   Pilot pilot;
-  pilot.settle();
-  pilot.ignore(FilePilot::kBurst);
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("read"));
-  pilot.gives.clear();
-  pilot.once[FilePilot::kBurst] = FilePilot::kUnheard;
+  pilot.answering(kBurst, kSilent).verify(kFourItems).until("read").answering().once[kBurst] = kSilent;
   pilot.beat();
   pilot.beat();
-  CHECK((pilot.end() == Status::Verified));
-  CHECK(pilot.said() == "open @MISSION/mission.dat, read 0+10, burst 10+38, burst 10+38, close");
-  pilot.files.upload(inRam(kPlan));
-  REQUIRE(pilot.passUntil("open"));
-  pilot.pass(8);
-  pilot.said();
-  pilot.once[FilePilot::kBurst] = FilePilot::kUnheard;
+  CHECK(pilot.how() == "Verified by file, OurPlan: open mission, read 0+10, burst 10+38, burst 10+38, close");
+  pilot.upload(kFourItems).until("open").wait(8).said();
+  pilot.once[kBurst] = kSilent;
   pilot.beat();
   pilot.pass(2);
   pilot.beat();
-  CHECK((pilot.end() == Status::Accepted));
-  const std::string said = pilot.said();
-  CHECK(said.find("close") == said.rfind("close"));
-}
-
-TEST_CASE("where the header was refused, since somebody else has the file, there is none that could be spoilt") {
-  Pilot pilot;
-  pilot.settle();
-  pilot.files.upload(inRam(kPlan));
-  REQUIRE(pilot.passUntil("write 10"));
-  pilot.once[FilePilot::kWrite] = FilePilot::kInvalidSession;
-  REQUIRE(pilot.passUntil("write 0+10"));
-  pilot.pass(50);
-  pilot.client.cancel();
-  pilot.ignore(FilePilot::kOpen);
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("open"));
-  pilot.client.cancel();
-  pilot.said();
-  pilot.pass(3000);
-  CHECK(pilot.said() == "close");
+  CHECK(pilot.how() == "Accepted by file, OurPlan: burst 10+38, burst 10+38, close");
 }
 
 TEST_CASE("a file that was left open is not closed while ensure() checks its plan") {
-  static MissionItem many[300];
-  for (int i = 0; i < 300; ++i) many[i] = waypoint(Degrees::fromE7(100000 + i), Degrees::fromE7(200000 + i), 20_m);
+  const FilePilot::Plan many = manyWaypoints(300);
   Pilot pilot;
-  pilot.settle();
-  pilot.files.verify(inRam(kPlan));
-  REQUIRE(pilot.passUntil("read"));
-  pilot.client.cancel();
-  pilot.said();
-  pilot.files.ensure(inRam(many));
+  pilot.verify(kFourItems).until("read").cancel().said();
+  pilot.ensure(many);
   for (int ms = 0; ms < 5000 && pilot.client.status() != Status::Checking; ++ms) pilot.pass(1);
   pilot.beat();
   pilot.pass(20);
@@ -204,18 +106,11 @@ TEST_CASE("a file that was left open is not closed while ensure() checks its pla
   CHECK((pilot.client.status() == Status::Checking));
 }
 
-TEST_CASE(
-    "a file that a late copy of its opening has opened again may hold the plan: it is spoilt before it is closed") {
+TEST_CASE("a file that a late copy of its opening has opened again may hold the plan: it is spoilt, and closed") {
   Pilot pilot;
-  pilot.settle();
-  pilot.files.upload(inRam(kPlan));
-  REQUIRE(pilot.passUntil("create"));
+  pilot.upload(kFourItems).until("create");
   const uint16_t opening = pilot.sequence;
-  REQUIRE(pilot.passUntil("write 0+10"));
-  pilot.client.cancel();
-  pilot.pass(4000);
-  pilot.said();
-  pilot.reply(static_cast<uint16_t>(opening + 1), pilot.session, 128, FilePilot::kCreate, 0, {});
-  pilot.pass(4000);
-  CHECK(pilot.said() == "write 0+10, close");
+  pilot.until("write 0+10").cancel().pass(4000);
+  pilot.reply(static_cast<uint16_t>(opening + 1), pilot.session, 128, kCreate, 0, {});
+  CHECK(pilot.says(4000) == "write 0+10, close");
 }

@@ -7,143 +7,82 @@ using namespace mavmission;
 
 namespace {
 
-constexpr MissionItem kPlan[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-                                 waypoint(-35.3642621_deg, 149.1662374_deg, 30_m), returnToLaunch()};
-constexpr MissionItem kOther[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-                                  waypoint(-35.3642621_deg, 149.1662374_deg, 31_m), returnToLaunch()};
+constexpr uint8_t kOpen = FilePilot::kOpen, kRead = FilePilot::kRead;
+constexpr int kFail = FilePilot::kFail, kUnheard = FilePilot::kUnheard;
+const std::string kProven = kFileWritten + ", open mission, prove items";
+// Item by item, and not looked for as a file.
+const std::string kProvenLossy =
+    "create mission, write 10+38, write 48+38, write 86+38, write 124+38, write 162+38, write 0+10, close, prove items";
 
-// Found, and with no file that could be open.
-struct Pilot : FilePilot {
-  Pilot() : FilePilot(kArduPilot) {
-    pass(4000);
-    said();
-  }
-  void makeLossy(int frames = 100) {
-    for (; frames != 0; --frames) {
-      lose(3);
-      beat();
-      pass(5);
-    }
-  }
-  bool isAsked(uint16_t messageId, uint32_t limitMs = 3000) {
-    sent.clear();
-    for (; limitMs != 0; --limitMs) {
-      pass(1);
-      if (!timesOf(messageId, 0).empty()) return true;
-    }
-    return false;
-  }
-  void tellCount(uint8_t count) { hear(FrameParts(44, {count, 0, 1, 191, 0}, 221)); }
-  // The items one after the other, as each is asked for; this one with this height.
-  void tellItems(size_t number = 0, float height = 0) {
-    for (size_t i = 0; i < plans[0].size(); ++i) {
-      if (!isAsked(kRequestInt)) return;
-      mavlink_mission_item_int_t item = itemAboard(i);
-      if (i == number && i != 0) item.z = height;
-      item.target_system = 1;
-      item.target_component = 191;
-      Bytes bytes(sizeof(item));
-      memcpy(bytes.data(), &item, sizeof(item));
-      hear(FrameParts(73, bytes, 38));
-    }
-  }
-  // All of the plan is asked for, and accepted.
-  void takeUpload(uint8_t count) {
-    for (uint8_t i = 0; i < count; ++i) {
-      hear(requestParts(i));
-      REQUIRE(isAsked(kItemInt, 500));
-    }
-    hear(ackParts(0));
-  }
-  // The plan is written, and asked for item by item.
-  void writeAndAsk() {
-    gives[kOpen] = kFail;
-    files.upload(inRam(kPlan));
-    REQUIRE(passUntil("close"));
-    REQUIRE(isAsked(kRequestList));
-    tellCount(5);
+// Found, and giving and taking items by the mission protocol too.
+struct Pilot : FoundPilot {
+  Pilot() { serving(); }
+  // It gives no file to read, and another plan than it was given: an item that is higher, or more items.
+  FilePilot& damages(uint16_t item, int more = 0) {
+    damaged = item;
+    tooMany = more;
+    return answering(kOpen, kFail);
   }
 };
 
 }  // namespace
 
-TEST_CASE(
-    "where the line begins to lose while the file is read back, the same plan is accepted, another one uploaded") {
+TEST_CASE("a plan that is proven item by item is accepted when it is the same; on a lossy link it is uploaded if not") {
+  const struct {
+    bool isLossy;
+    uint16_t damaged;
+    int more;
+    const char* end;
+    std::string words;
+  } kCases[] = {
+      {false, 0, 0, "Accepted by file, OurPlan: ", kProven},
+      {true, 0, 0, "Accepted by file, OurPlan: ", kProvenLossy},
+      {false, 3, 0, "Differs item 2 Height by file, NotKnown: ", kProven},
+      {true, 3, 0, "Accepted, OurPlan: ", kProvenLossy + ", upload items, read items"},
+      {false, 0, -1, "Differs Count by file, NotKnown: ", kProven},
+      {true, 0, -1, "Accepted, OurPlan: ", kProvenLossy + ", upload items, read items"},
+  };
+  for (const auto& one : kCases) {
+    CAPTURE(one.isLossy);
+    CAPTURE(one.damaged);
+    Pilot pilot;
+    if (one.isLossy) pilot.losing();
+    pilot.ends.clear();
+    CHECK(pilot.damages(one.damaged, one.more).upload(kFourItems).how() == one.end + one.words);
+    CHECK(pilot.ends == std::vector<Status>{pilot.ended});
+    CHECK(pilot.stored == 1);
+    CHECK(pilot.client.lastResult() == 0);
+  }
+  Pilot pilot;  // ensure() proves what it has written in the same way
+  pilot.has(kOneHigher).ensure(kFourItems).until("create").answering(kOpen, kFail);
+  CHECK(pilot.how() == "Accepted by file, OurPlan: " + kFileRead + ", " + kProven);
+}
+
+TEST_CASE("where the line begins to lose while the file is read back, the same plan is accepted, another uploaded") {
   for (bool isOther : {false, true}) {
     CAPTURE(isOther);
     Pilot pilot;
-    pilot.gives[FilePilot::kRead] = FilePilot::kUnheard;
-    pilot.files.upload(inRam(kPlan));
-    REQUIRE(pilot.passUntil("read"));
-    pilot.makeLossy();
-    if (isOther) pilot.hold({kOther[0], kOther[1], kOther[2], kOther[3]});
-    pilot.gives.clear();
-    pilot.ended = Status::Idle;
-    CHECK(pilot.isAsked(FilePilot::kCount) == isOther);
+    pilot.servesItems = false;
+    pilot.answering(kRead, kUnheard).upload(kFourItems).until("read").losing().said();
+    if (isOther) pilot.has(kOneHigher);
+    CHECK(pilot.answering().how() == (isOther ? "read 0+10, burst 10+38, close, upload items"
+                                              : "Accepted by file, OurPlan: read 0+10, burst 10+38, close"));
     CHECK(pilot.files.isByFile() == !isOther);
-    CHECK((pilot.ended == (isOther ? Status::Idle : Status::Accepted)));
     CHECK(pilot.client.failedItem() == 0xFFFF);
     CHECK((pilot.client.differingField() == ItemField::None));
   }
 }
 
-TEST_CASE("a damaged plan is uploaded item by item within the operation, and read back in any case") {
-  Pilot pilot;
-  pilot.makeLossy();
-  pilot.writeAndAsk();
-  pilot.ends.clear();
-  pilot.tellItems(3, 31);
-  REQUIRE(pilot.isAsked(FilePilot::kCount, 1000));
-  CHECK(pilot.ends.empty());
-  CHECK(pilot.client.failedItem() == 0xFFFF);
-  CHECK((pilot.client.differingField() == ItemField::None));
-  pilot.takeUpload(5);
-  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
-  pilot.tellCount(5);
-  pilot.tellItems();
-  pilot.pass(100);
-  CHECK((pilot.ended == Status::Accepted));
-  CHECK((pilot.client.aboard() == Aboard::OurPlan));
-}
-
 TEST_CASE("a plan behind one that was damaged is proven as any other") {
   Pilot pilot;
-  pilot.makeLossy();
-  pilot.writeAndAsk();
-  pilot.tellItems(3, 31);
-  REQUIRE(pilot.isAsked(FilePilot::kCount, 1000));
-  pilot.client.cancel();
-  pilot.pass(100);
+  pilot.losing().said();
+  pilot.damages(3).upload(kFourItems).until("upload items").cancel().says(100);
   pilot.ends.clear();
-  pilot.writeAndAsk();
-  pilot.tellItems();
-  pilot.pass(100);
-  CHECK(pilot.files.isByFile());
+  CHECK(pilot.upload(kFourItems).how() == "Accepted by file, OurPlan: " + kProvenLossy);
   CHECK(pilot.ends == std::vector<Status>{Status::Accepted});
 }
 
-TEST_CASE("another plan that is read back item by item is known to be no mixture") {
-  Pilot pilot;
-  pilot.writeAndAsk();
-  CHECK(pilot.client.lastResult() == 0);
-  pilot.tellItems(3, 31);
-  pilot.pass(100);
-  CHECK((pilot.ended == Status::Differs));
-  CHECK((pilot.client.aboard() == Aboard::NotKnown));
-  CHECK(pilot.client.failedItem() == 2);
-  CHECK((pilot.client.differingField() == ItemField::Height));
-}
-
-TEST_CASE("the field that a look has found to differ is forgotten when the plan is replaced") {
-  Pilot pilot;
-  pilot.hold({kOther[0], kOther[1], kOther[2], kOther[3]});
-  pilot.files.ensure(inRam(kPlan));
-  REQUIRE((pilot.end() == Status::Accepted));
-  CHECK((pilot.client.differingField() == ItemField::None));
-  CHECK(pilot.client.failedItem() == 0xFFFF);
-}
-
-TEST_CASE("a plan that ensure() replaces is told item by item") {
+TEST_CASE("a plan that ensure() replaces is told item by item, and the field in which it differed is forgotten") {
   struct Told {
     static void tell(void* context, uint16_t done, uint16_t) {
       static_cast<std::vector<uint16_t>*>(context)->push_back(done);
@@ -151,81 +90,56 @@ TEST_CASE("a plan that ensure() replaces is told item by item") {
   };
   std::vector<uint16_t> told;
   Pilot pilot;
-  pilot.hold({kOther[0], kOther[1], kOther[2], kOther[3]});
   pilot.client.onProgress(Told::tell, &told);
-  pilot.files.ensure(inRam(kPlan));
-  REQUIRE((pilot.end() == Status::Accepted));
+  CHECK(pilot.has(kOneHigher).ensure(kFourItems).how() ==
+        "Accepted by file, OurPlan: " + kFileRead + ", " + kFileWrittenAndRead);
   CHECK(told == std::vector<uint16_t>{3, 4});
 }
 
 TEST_CASE("an autopilot that is armed while ensure() checks a long plan may have it aboard already") {
-  static MissionItem many[300];
-  for (int i = 0; i < 300; ++i) many[i] = waypoint(Degrees::fromE7(100000 + i), Degrees::fromE7(200000 + i), 20_m);
+  const FilePilot::Plan many = manyWaypoints(300);
   Pilot pilot;
-  pilot.hold(std::vector<MissionItem>(many + 0, many + 300));
-  pilot.files.ensure(inRam(many));
-  pilot.pass(20);
-  REQUIRE(pilot.said() == "");
-  pilot.baseMode = 128 | 1;
-  pilot.beat();
-  CHECK((pilot.end() == Status::AlreadyAboard));
+  REQUIRE(pilot.has(many).ensure(many).wait(20).said() == "");
+  CHECK((pilot.armed(false).end() == Status::AlreadyAboard));
 }
 
-TEST_CASE("on a lossy link, another number of items of a plan of one item leads to an upload item by item") {
+TEST_CASE("another number of items of a plan of one item is another one, and what is no number of items is none") {
+  const FilePilot::Plan one = {kFourItems[0]};
   Pilot pilot;
-  pilot.makeLossy();
-  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
-  pilot.files.upload(inRam(kPlan, 1));
-  REQUIRE(pilot.passUntil("close"));
-  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
-  pilot.tellCount(4);
-  CHECK(pilot.isAsked(FilePilot::kCount, 1000));
-}
-
-TEST_CASE("what is no number of items is not taken for another one") {
-  Pilot pilot;
-  pilot.makeLossy();
-  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
-  pilot.files.upload(inRam(kPlan));
-  REQUIRE(pilot.passUntil("close"));
-  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
-  pilot.reply(5, 1, 128, FilePilot::kRead, 0, {});  // where a MISSION_COUNT has its type, there is a 0
-  CHECK_FALSE(pilot.isAsked(FilePilot::kCount, 50));
-  pilot.tellCount(5);
-  CHECK(pilot.isAsked(FilePilot::kRequestInt, 50));
+  pilot.losing().said();
+  CHECK(pilot.damages(0, 2).upload(one).how() ==
+        "Accepted, OurPlan: create mission, write 10+38, write 48+38, write 0+10, close, prove items, upload items, "
+        "read items");
+  Pilot other;
+  other.servesItems = false;
+  other.losing().answering(kOpen, kFail).upload(kFourItems).until("prove items").said();
+  other.reply(5, 1, 128, kRead, 0, {});  // where a MISSION_COUNT has its type, there is a 0
+  CHECK(other.says(50).find("upload") == std::string::npos);
+  other.hear(countParts(5));
+  CHECK(other.passUntilSent(FilePilot::kRequestInt, 50));
 }
 
 TEST_CASE("a damaged plan is read back in any case: also if the line has lost nothing for long") {
   Pilot pilot;
-  pilot.makeLossy();
-  pilot.writeAndAsk();
-  pilot.tellItems(3, 31);
-  REQUIRE(pilot.isAsked(FilePilot::kCount, 1000));
+  pilot.losing().said();
+  pilot.takenAs = FilePilot::kSilent;
+  pilot.damages(3).upload(kFourItems).until("upload items");
   for (uint8_t item = 0; item < 5; ++item) {
     pilot.hear(requestParts(item));
-    REQUIRE(pilot.isAsked(FilePilot::kItemInt, 500));
+    REQUIRE(pilot.passUntilSent(FilePilot::kItemInt, 500));
     pilot.pass(3000);
   }
   pilot.hear(ackParts(0));
-  CHECK(pilot.isAsked(FilePilot::kRequestList));
+  CHECK(pilot.passUntil("read items"));
 }
 
 TEST_CASE("an upload that a damaged plan leads to reads as many bytes in an update() as any other") {
   size_t most[3] = {};
   for (size_t i = 0; i < 3; ++i) {
     Pilot pilot;
-    if (i == 2) pilot.gives[FilePilot::kRead] = FilePilot::kUnheard;
-    if (i != 0) {
-      pilot.gives[FilePilot::kRead] = FilePilot::kUnheard;
-      pilot.files.upload(inRam(kPlan));
-      REQUIRE(pilot.passUntil("read"));
-    }
-    if (i == 2) {
-      pilot.makeLossy();
-      pilot.hold({kOther[0], kOther[1], kOther[2], kOther[3]});
-      pilot.gives.clear();
-      REQUIRE(pilot.isAsked(FilePilot::kCount));
-    }
+    pilot.servesItems = false;
+    if (i != 0) pilot.answering(kRead, kUnheard).upload(kFourItems).until("read");
+    if (i == 2) pilot.losing().has(kOneHigher).answering().until("upload items");
     pilot.pass(3);
     for (int frames = 0; frames < 50; ++frames) pilot.line.bring(telemetry());
     const size_t before = pilot.line.bytesRead;
@@ -238,35 +152,22 @@ TEST_CASE("an upload that a damaged plan leads to reads as many bytes in an upda
 
 TEST_CASE("an error behind an earlier upload, in doubt whether it was a refusal, says nothing about the next one") {
   Pilot pilot;
-  pilot.client.upload(inRam(kOther));
-  REQUIRE(pilot.isAsked(FilePilot::kCount));
-  for (uint8_t i = 0; i < 5; ++i) {
-    pilot.hear(requestParts(i));
-    REQUIRE(pilot.isAsked(FilePilot::kItemInt, 500));
-  }
-  pilot.hear(ackParts(1));
-  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
-  pilot.tellCount(3);
-  pilot.pass(100);
-  REQUIRE((pilot.ended == Status::Error));
-  pilot.writeAndAsk();
-  pilot.tellItems(3, 31);
-  pilot.pass(100);
-  CHECK((pilot.ended == Status::Differs));
+  pilot.takenAs = 1;
+  pilot.has({kOneHigher[0], kOneHigher[1]}).client.upload(FilePilot::sourceOf(kOneHigher));
+  CHECK(pilot.how() == "Error item 3 Count, Mixture: upload items, read items");
+  CHECK(pilot.damages(3).upload(kFourItems).how() == "Differs item 2 Height by file, NotKnown: " + kProven);
 }
 
 TEST_CASE("behind a plan that was proven, nothing of an earlier transfer is waited for") {
   Pilot pilot;
-  pilot.client.upload(inRam(kOther));
-  REQUIRE(pilot.isAsked(FilePilot::kCount));
-  pilot.hear(requestParts(0));
-  REQUIRE(pilot.isAsked(FilePilot::kItemInt));
-  pilot.client.cancel();
-  pilot.pass(10);
-  pilot.files.upload(inRam(kPlan));
+  pilot.client.upload(FilePilot::sourceOf(kOneHigher));
+  REQUIRE(pilot.passUntilSent(FilePilot::kItemInt));
+  pilot.servesItems = false;
+  pilot.cancel().wait(10).upload(kFourItems);
   REQUIRE((pilot.end() == Status::Accepted));
-  pilot.client.verify(inRam(kPlan));
-  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
+  pilot.verify(kFourItems).client.cancel();
+  pilot.client.verify(FilePilot::sourceOf(kFourItems));
+  REQUIRE(pilot.passUntilSent(FilePilot::kRequestList));
   pilot.hear(ackParts(1));  // not an answer to what was cancelled
   pilot.pass(5);
   CHECK_FALSE(pilot.client.isBusy());
@@ -275,17 +176,10 @@ TEST_CASE("behind a plan that was proven, nothing of an earlier transfer is wait
 TEST_CASE("a plan that was written as a file has no name, and not that of the plan before") {
   Pilot pilot;
   MissionFollower follower(pilot.client);
-  pilot.client.upload(inRam(kOther));
-  REQUIRE(pilot.isAsked(FilePilot::kCount));
-  for (uint8_t i = 0; i < 5; ++i) {
-    pilot.hear(requestParts(i));
-    REQUIRE(pilot.isAsked(FilePilot::kItemInt, 500));
-  }
-  pilot.hear(ackParts(0, 1, 191, 0, 77));
-  pilot.pass(50);
-  REQUIRE((pilot.ended == Status::Accepted));
-  pilot.files.upload(inRam(kPlan));
+  pilot.nameOfPlan = 77;
+  pilot.client.upload(FilePilot::sourceOf(kOneHigher));
   REQUIRE((pilot.end() == Status::Accepted));
+  REQUIRE((pilot.upload(kFourItems).end() == Status::Accepted));
   for (int i = 0; i < 4; ++i) {
     pilot.hear(FrameParts(42, {0, 0, 4, 0, 3, 1, 88, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, 28));
     pilot.pass(1000);
@@ -294,66 +188,35 @@ TEST_CASE("a plan that was written as a file has no name, and not that of the pl
 }
 
 TEST_CASE("an item whose place is looked for in more than one update() is compared when it is found") {
-  std::vector<MissionItem> plan(1, takeoff(20_m));
-  for (int i = 0; i < 30; ++i) plan.push_back(returnToLaunch());
-  plan.push_back(kPlan[1]);
-  Pilot pilot;
-  pilot.files.upload(inRam(plan.data(), static_cast<uint32_t>(plan.size())));
-  CHECK((pilot.end() == Status::Accepted));
-  CHECK(pilot.client.failedItem() == 0xFFFF);
-  CHECK(pilot.files.isByFile());
+  FilePilot::Plan plan(32, returnToLaunch());
+  plan.front() = takeoff(20_m);
+  plan.back() = kFourItems[1];
+  CHECK(Pilot().upload(plan).how().substr(0, 26) == "Accepted by file, OurPlan:");
 }
-
-namespace {
-
-// A plan of one waypoint and home, by MISSION_ITEM.
-void tellFloats(Pilot& pilot) {
-  pilot.tellCount(2);
-  for (uint8_t i = 0; i < 2; ++i) {
-    if (!pilot.isAsked(FilePilot::kRequestInt, 100)) return;
-    mavlink_mission_item_t item = mavlink_mission_item_t();
-    item.x = -35.5f;
-    item.y = 149.5f;
-    item.z = 20;
-    item.seq = i;
-    item.command = 16;
-    item.frame = i == 0 ? 0 : 3;
-    item.target_system = 1;
-    item.target_component = 191;
-    item.autocontinue = 1;
-    Bytes bytes(sizeof(item));
-    memcpy(bytes.data(), &item, sizeof(item));
-    pilot.hear(FrameParts(39, bytes, 254));
-  }
-  pilot.pass(100);
-}
-
-}  // namespace
 
 TEST_CASE("items with places in floats are read where no file is, and prove no upload") {
-  struct Sink {
-    static bool write(void* context, uint16_t, const MissionItem& item) {
-      static_cast<std::vector<int32_t>*>(context)->push_back(item.x);
-      return true;
-    }
-  };
+  const FilePilot::Plan one = {waypoint(-35.5_deg, 149.5_deg, 20_m)};
   Pilot pilot;
-  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
+  pilot.servesItems = false;
+  pilot.answering(kOpen, kFail);
+  // Home and a waypoint, by MISSION_ITEM.
+  const auto tellFloats = [&pilot, &one]() {
+    pilot.hear(countParts(2));
+    for (uint16_t i = 0; i < 2 && pilot.passUntilSent(FilePilot::kRequestInt, 100); ++i) {
+      pilot.hear(floatItemParts(i, i == 0 ? homeItem() : one[0], -35.5f, 149.5f));
+    }
+    pilot.pass(100);
+  };
   for (int i = 0; i < 2; ++i) {
     CAPTURE(i);
-    std::vector<int32_t> taken;
-    pilot.files.download(toFunction(Sink::write, &taken));
-    REQUIRE(pilot.isAsked(FilePilot::kRequestList));
-    tellFloats(pilot);
+    CHECK(pilot.download().how() == "open mission, read items");
+    tellFloats();
     CHECK((pilot.ended == Status::Downloaded));
-    CHECK(taken == std::vector<int32_t>{-355000000, -355000000});
-    pilot.files.upload(inRam(kPlan + 1, 1));
-    REQUIRE(pilot.passUntil("close"));
-    REQUIRE(pilot.isAsked(FilePilot::kRequestList));
-    pilot.sent.clear();
-    tellFloats(pilot);
+    REQUIRE(pilot.taken.size() == 2);
+    for (const auto& taken : pilot.taken) CHECK(int32_t{taken.item.x} == -355000000);
+    pilot.upload(one).until("prove items");
+    tellFloats();
     CHECK(pilot.client.isBusy());
-    pilot.client.cancel();
-    pilot.pass(3000);
+    pilot.cancel().says(3000);
   }
 }

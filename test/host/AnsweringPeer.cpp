@@ -1,0 +1,77 @@
+#include "AnsweringPeer.h"
+
+using mavmission::Status;
+
+Status AnsweringPeer::end(uint32_t limitMs) {
+  ended = Status::Idle;
+  beganMs = nowMs();
+  for (; limitMs != 0 && ended == Status::Idle; --limitMs) one();
+  tookMs = nowMs() - beganMs;
+  return ended;
+}
+
+bool AnsweringPeer::passUntil(const std::string& words, uint32_t limitMs) {
+  for (size_t next = said_.size(); limitMs != 0; --limitMs) {
+    one();
+    for (; next < said_.size(); ++next) {
+      if (said_[next].compare(0, words.size(), words) == 0) return true;
+    }
+  }
+  return false;
+}
+
+bool AnsweringPeer::passUntilSent(uint16_t messageId, uint32_t limitMs) {
+  for (sent.clear(); limitMs != 0; --limitMs) {
+    one();
+    if (!timesOf(messageId, 0).empty()) return true;
+  }
+  return false;
+}
+
+std::string AnsweringPeer::said() {
+  std::string text;
+  for (const std::string& one : said_) text += (text.empty() ? "" : ", ") + one;
+  said_.clear();
+  saidMs.clear();
+  return text;
+}
+
+void AnsweringPeer::say(const std::string& words) {
+  said_.push_back(words);
+  saidMs.push_back(nowMs());
+}
+
+int AnsweringPeer::resultOf(int request) {
+  const auto next = once.find(request);
+  if (next == once.end()) return gives.count(request) != 0 ? gives[request] : 0;
+  const int result = next->second;
+  once.erase(next);
+  return result;
+}
+
+Bytes AnsweringPeer::packedAgain(const SentFrame& frame, uint8_t crcExtra) {
+  FrameParts parts(frame.messageId, Bytes(frame.frame.begin() + 10, frame.frame.end() - 2), crcExtra);
+  parts.sequence = frame.frame[4];
+  parts.systemId = frame.frame[5];
+  parts.componentId = frame.frame[6];
+  return packed(parts);
+}
+
+#define MAVMISSION_NAME(name, text) #name,
+
+const char* AnsweringPeer::nameOf(Status status) {
+  static const char* const kNames[] = {MAVMISSION_STATUSES(MAVMISSION_NAME)};
+  return kNames[static_cast<uint8_t>(status)];
+}
+
+const char* AnsweringPeer::nameOf(mavmission::ItemField field) {
+  static const char* const kNames[] = {MAVMISSION_FIELDS(MAVMISSION_NAME)};
+  return kNames[static_cast<uint8_t>(field)];
+}
+
+const char* AnsweringPeer::nameOf(mavmission::Aboard aboard) {
+  static const char* const kNames[] = {MAVMISSION_ABOARD(MAVMISSION_NAME)};
+  return kNames[static_cast<uint8_t>(aboard)];
+}
+
+#undef MAVMISSION_NAME

@@ -1,0 +1,49 @@
+// A peer that answers what a client asks it, each millisecond, and what that was word by word.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "ClientOnLine.h"
+
+class AnsweringPeer : public ClientOnLine {
+ public:
+  enum : int { kSilent = -1, kUnheard = -2 };  // a request is done without an answer; not even that
+
+  std::map<int, int> gives;  // by request: its result, or what becomes of it; 0: it is done
+  std::map<int, int> once;   // the same for the next one alone
+  std::vector<uint32_t> saidMs;
+  uint32_t beganMs = 0, tookMs = 0;  // of the last end()
+
+  explicit AnsweringPeer(uint8_t autopilot) : ClientOnLine(autopilot) { beats = false; }
+  virtual ~AnsweringPeer() = default;
+
+  // As loop() does.
+  void pass(uint32_t ms) {
+    for (; ms != 0; --ms) one();
+  }
+  // Until the operation has ended; with what.
+  mavmission::Status end(uint32_t limitMs = 60000);
+  // Until this, or what begins so, has been asked for; false if it is not.
+  bool passUntil(const std::string& words, uint32_t limitMs = 20000);
+  // Until a frame of this message has left; false if none does. `sent` begins anew.
+  bool passUntilSent(uint16_t messageId, uint32_t limitMs = 20000);
+  // What was asked for since the last call.
+  std::string said();
+
+  // A frame as it would be with its checksum right.
+  static Bytes packedAgain(const SentFrame& frame, uint8_t crcExtra);
+
+  static const char* nameOf(mavmission::Status status);
+  static const char* nameOf(mavmission::ItemField field);
+  static const char* nameOf(mavmission::Aboard aboard);
+
+ protected:
+  // A millisecond.
+  virtual void one() = 0;
+  void say(const std::string& words);
+  // What becomes of a request.
+  int resultOf(int request);
+
+  std::vector<std::string> said_;
+};
