@@ -1,3 +1,4 @@
+// A PlanConsole on a port: what is typed, what it says to that, and what the autopilot is told.
 #include "mavmission/console/PlanConsole.h"
 
 #include <doctest/doctest.h>
@@ -27,46 +28,11 @@ class FillingStream : public MemoryStream {
   }
 };
 
-// A console on a port, with an autopilot that is not there.
-struct Desk {
-  MemoryStream line;
-  FillingStream port;
-  MissionClient autopilot;
-  EepromPlan plan;
-  MissionItem room[4];
-  PlanConsole console;
-  uint32_t nowMs;
-
-  Desk()
-      : autopilot(line),
-        plan(Eeprom{readByte, writeByte, nullptr, 400}),
-        console(port, autopilot, plan, room),
-        nowMs(0) {
-    memory.assign(400, 0xFF);
-    plan.begin();
-    console.offerAll();
-  }
-
-  void type(const std::string& text) { port.bring(std::vector<uint8_t>(text.begin(), text.end())); }
-  void update() {
-    setMillis(++nowMs);
-    autopilot.update();
-    plan.update();
-    console.update();
-  }
-  std::string said() const { return std::string(port.written.begin(), port.written.end()); }
-  std::string answer(const std::string& text, int updates = 3000) {
-    port.written.clear();
-    type(text);
-    for (int i = 0; i < updates; ++i) update();
-    return said();
-  }
-};
-
 const size_t kMost = PlanConsole::kBytesPerUpdate;
-const char kHead[] = "QGC WPL 110\n0 1 0 16 0 0 0 0 0 0 0 1\n";
-const char kBusy[] = "busy with another operation\r\n";
-const char kFailed[] = "the last load or download failed: repeat it, or type cancel\r\n";
+const std::string kHead = "QGC WPL 110\n0 1 0 16 0 0 0 0 0 0 0 1\n";
+const std::string kBusy = "busy with another operation\r\n";
+const std::string kFailed = "the last load or download failed: repeat it, or type cancel\r\n";
+const std::string kIgnored = "too much at once: the rest was ignored\r\n";
 
 // A file with so many items.
 std::string fileOf(int items) {
@@ -76,20 +42,23 @@ std::string fileOf(int items) {
 }
 std::string loading(int items) { return "load\n" + fileOf(items) + "end\n"; }
 
-// A console whose plan has one item, on a client that hears a PX4.
-struct Station : ClientOnLine {
-  MemoryStream port;
+bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+// A console on a port, with a plan of so many items; a PX4 is heard or none.
+struct Desk : ClientOnLine {
+  FillingStream port;
   EepromPlan plan{Eeprom{readByte, writeByte, nullptr, 400}};
   MissionItem room[4];
   PlanConsole console{port, client, plan, room};
 
-  Station() : ClientOnLine(kPx4) {
+  explicit Desk(int items = 0, bool isHeard = false) : ClientOnLine(kPx4, 0) {
+    beats = isHeard;
     memory.assign(400, 0xFF);
     plan.begin();
     console.offerAll();
-    type(loading(1));
-    go(3000);
+    if (items != 0) answer(loading(items));
   }
+
   void type(const std::string& text) { port.bring(std::vector<uint8_t>(text.begin(), text.end())); }
   void go(uint32_t ms) {
     for (; ms != 0; --ms) {
@@ -97,6 +66,22 @@ struct Station : ClientOnLine {
       plan.update();
       console.update();
     }
+  }
+  std::string said() const { return std::string(port.written.begin(), port.written.end()); }
+  std::string answer(const std::string& text, uint32_t ms = 3000) {
+    port.written.clear();
+    type(text);
+    go(ms);
+    return said();
+  }
+  // The first message of the client with this id; null if it sends none in 3 s.
+  const SentFrame* next(uint16_t id) {
+    sent.clear();
+    for (int ms = 0; ms < 3000; ++ms) {
+      go(1);
+      if (!sent.empty() && sent.back().messageId == id) return &sent.back();
+    }
+    return nullptr;
   }
   // The autopilot gives a plan of so many items that is being downloaded.
   void giveItems(uint8_t items) {
@@ -109,53 +94,32 @@ struct Station : ClientOnLine {
       sent.clear();
     }
   }
-  std::string said() const { return std::string(port.written.begin(), port.written.end()); }
-  // The first message of the client with this id; null if it sends none in 3 s.
-  const SentFrame* next(uint16_t id) {
-    sent.clear();
-    for (int ms = 0; ms < 3000; ++ms) {
-      go(1);
-      if (!sent.empty() && sent.back().messageId == id) return &sent.back();
-    }
-    return nullptr;
-  }
 };
 
 }  // namespace
 
-TEST_CASE("it never writes more than the port takes") {
-  Desk desk;
-  desk.port.room = 0;
-  desk.type("help\nstatus\n");
-  for (int i = 0; i < 90; ++i) desk.update();
-  CHECK(desk.said().empty());
+TEST_CASE("it never writes more than the port takes, and a byte each time, after a while, if that does not say so") {
+  Desk desk, slow;
+  desk.port.room = slow.port.room = 0;
+  CHECK(desk.answer("help\nstatus\n", 90).empty());
   std::string whole;
-  for (int room = 1; whole.find("stored: items 0\r\n") == std::string::npos; room = room % 70 + 1) {
+  for (int room = 1; !has(whole, "stored: items 0\r\n"); room = room % 70 + 1) {
     REQUIRE(whole.size() < 5000);
     desk.port.room = room;
-    const size_t before = desk.port.written.size();
-    desk.update();
-    const size_t wrote = desk.port.written.size() - before;
+    desk.go(1);
+    const size_t wrote = desk.said().size() - whole.size();
     CHECK(wrote <= static_cast<size_t>(room));
     CHECK(wrote <= kMost);
     whole = desk.said();
   }
-  Desk freely;
-  CHECK(freely.answer("help\nstatus\n") == whole);
-}
-
-TEST_CASE("on a port that does not say what it takes it writes a byte each time, after a while") {
-  Desk desk;
-  desk.port.room = 0;
-  const std::string slowly = desk.answer("status\n");
-  Desk freely;
-  CHECK(freely.answer("status\n") == slowly);
-  CHECK(desk.port.largestWrite == 1);
+  CHECK(Desk().answer("help\nstatus\n") == whole);
+  CHECK(slow.answer("status\n") == Desk().answer("status\n"));
+  CHECK(slow.port.largestWrite == 1);
 }
 
 TEST_CASE("an item for which there is no room yet is not lost: what comes behind it waits in the port") {
   Desk desk;
-  CHECK(desk.answer(loading(9), 6000).find("9\r\nstored: list prints it\r\n") != std::string::npos);
+  CHECK(has(desk.answer(loading(9), 6000), "9\r\nstored: list prints it\r\n"));
   REQUIRE(desk.plan.count() == 9);
   const ItemSource source = desk.plan.source();
   for (uint16_t i = 0; i < 9; ++i) {
@@ -168,83 +132,76 @@ TEST_CASE("an item for which there is no room yet is not lost: what comes behind
 TEST_CASE("a text is refused when the port's ring was full in its midst, and only then") {
   Desk desk;
   desk.console.setRing(63);
-  std::string row = "1 0 3 16 0 0 0 0 1 2 3 1\n";
-  CHECK(desk.answer("load\n").find("send the file") != std::string::npos);
-  desk.answer(std::string(kHead).substr(0, 12));
-  desk.answer(std::string(kHead).substr(12));
-  CHECK(desk.answer(row + "end\n").find("stored: ") != std::string::npos);
+  const std::string row = "1 0 3 16 0 0 0 0 1 2 3 1\n";
+  CHECK(has(desk.answer("load\n"), "send the file"));
+  desk.answer(kHead.substr(0, 12));
+  desk.answer(kHead.substr(12));
+  CHECK(has(desk.answer(row + "end\n"), "stored: "));
   desk.answer("load\n");
-  CHECK(desk.answer(std::string(kHead) + row + "end\n").find("line 1: too fast") == 0);
+  CHECK(desk.answer(kHead + row + "end\n").find("line 1: too fast") == 0);
   CHECK(desk.plan.count() == 1);
 }
 
 TEST_CASE("a command behind end or erase waits until the EEPROM is written") {
-  for (const char* command : {"upload", "verify", "list", "status"}) {
-    Desk desk;
-    desk.answer(loading(1));
-    desk.type(loading(3) + command + "\n");
+  const struct {
+    const char *command, *said;
+  } kCases[] = {{"upload", ""}, {"verify", ""}, {"list", "3\t0\t3\t16"}, {"status", "stored: items 3"}};
+  for (const auto& one : kCases) {
+    Desk desk(1);
     desk.port.written.clear();
-    while (!desk.autopilot.isBusy() && desk.nowMs < 9000) desk.update();
+    desk.type(loading(3) + one.command + "\n");
+    for (int ms = 0; ms < 6000 && !desk.client.isBusy(); ++ms) desk.go(1);
     CHECK(desk.plan.count() == 3);
     CHECK(!desk.plan.isBusy());
-    CHECK(desk.said().find(command[0] == 's'   ? "stored: items 3"
-                           : command[0] == 'l' ? "3\t0\t3\t16"
-                                               : "") < std::string::npos);
-    desk.autopilot.cancel();
-    CHECK(desk.answer("erase\nupload\n").find("erased\r\nno plan is stored: type load\r\n") != std::string::npos);
+    CHECK(has(desk.said(), one.said));
+    desk.client.cancel();
+    CHECK(has(desk.answer("erase\nupload\n"), "erased\r\nno plan is stored: type load\r\n"));
   }
 }
 
 TEST_CASE("an upload behind a download sends what was downloaded, whenever it is typed") {
   for (uint32_t afterMs = 0; afterMs < 60; afterMs += 3) {
-    Station station;
-    station.type("download\n");
-    station.giveItems(3);
-    station.go(afterMs);
-    station.type("upload\n");
-    const SentFrame* count = station.next(ClientOnLine::kCount);
-    while (count == nullptr && station.nowMs() < 90000) {
-      station.type("upload\n");
-      count = station.next(ClientOnLine::kCount);
+    Desk desk(1, true);
+    desk.type("download\n");
+    desk.giveItems(3);
+    desk.go(afterMs);
+    const SentFrame* count = nullptr;
+    for (int times = 0; times < 30 && count == nullptr; ++times) {
+      desk.type("upload\n");
+      count = desk.next(ClientOnLine::kCount);
     }
     REQUIRE(count != nullptr);
     CHECK(count->payload[0] == 3);
-    CHECK(station.plan.count() == 3);
+    CHECK(desk.plan.count() == 3);
   }
 }
 
 TEST_CASE("what is pasted behind a file that came during a download is not done with what was downloaded") {
-  Station station;
-  station.type("download\nload\n" + fileOf(2));
-  station.giveItems(3);
-  station.port.written.clear();
-  station.type("end\nupload\n");
-  station.go(1000);
-  CHECK(station.said().find("stored: list prints it\r\nnothing was loaded\r\n" + std::string(kFailed)) !=
-        std::string::npos);
-  CHECK(station.plan.count() == 3);
-  CHECK(!station.client.isBusy());
-  for (const char* again : {"cancel\n", "download\n"}) {
-    station.type(again);
-    if (again[0] == 'd') station.giveItems(2);
-    station.go(1000);
-    station.type("upload\n");
-    REQUIRE(station.next(ClientOnLine::kCount) != nullptr);
-    station.type("cancel\nload\ncancel\n");
-    station.go(5000);
+  Desk desk(1, true);
+  desk.type("download\nload\n" + fileOf(2));
+  desk.giveItems(3);
+  CHECK(has(desk.answer("end\nupload\n", 1000), "stored: list prints it\r\nnothing was loaded\r\n" + kFailed));
+  CHECK(desk.plan.count() == 3);
+  CHECK(!desk.client.isBusy());
+  for (bool isDownload : {false, true}) {
+    desk.type(isDownload ? "download\n" : "cancel\n");
+    if (isDownload) desk.giveItems(2);
+    desk.go(1000);
+    desk.type("upload\n");
+    REQUIRE(desk.next(ClientOnLine::kCount) != nullptr);
+    desk.answer("cancel\nload\ncancel\n", 5000);
   }
 }
 
 TEST_CASE("a plan that is downloaded and empty, or too long, does not take the place of the stored one") {
   for (uint8_t items : {0, 40}) {
-    Station station;
-    station.port.written.clear();
-    station.type("download\n");
-    station.giveItems(items);
-    station.go(1000);
-    CHECK(station.said().find(items == 0 ? "nothing was loaded\r\ndownloaded: "
-                                         : "the plan aboard is too large for the sink\r\n") != std::string::npos);
-    CHECK(station.plan.count() == 1);
+    Desk desk(1, true);
+    desk.type("download\n");
+    desk.giveItems(items);
+    desk.go(1000);
+    CHECK(has(desk.said(),
+              items == 0 ? "nothing was loaded\r\ndownloaded: " : "the plan aboard is too large for the sink\r\n"));
+    CHECK(desk.plan.count() == 1);
   }
 }
 
@@ -266,11 +223,10 @@ TEST_CASE("what is wrong with a file is said with its line, and the stored plan 
   };
   for (const auto& one : kMistakes) {
     CAPTURE(one.said);
-    Desk desk;
-    desk.answer(loading(1));
-    CHECK(desk.answer("load\n" + one.file + "end\n", 9000).find(one.said) != std::string::npos);
+    Desk desk(1);
+    CHECK(has(desk.answer("load\n" + one.file + "end\n", 9000), one.said));
     CHECK(desk.plan.count() == 1);
-    CHECK(desk.answer("cancel\nstatus\n").find("stored: items 1\r\n") != std::string::npos);
+    CHECK(has(desk.answer("cancel\nstatus\n"), "stored: items 1\r\n"));
   }
   Desk empty;
   for (const char* command : {"list\n", "upload\n", "Verify\n"}) {
@@ -279,92 +235,82 @@ TEST_CASE("what is wrong with a file is said with its line, and the stored plan 
 }
 
 TEST_CASE("help names each command, and status says what the autopilot does and holds") {
-  Station station;
-  station.port.written.clear();
-  station.type("help\n");
-  station.go(2000);
-  const std::string help = "\n" + station.said();
+  Desk desk(1, true);
+  const std::string help = "\n" + desk.answer("help\n");
   size_t at = 0;
   for (const char* name :
        {"help", "status", "load", "end", "upload", "cancel", "erase", "list", "verify", "download", "clear", "start"}) {
     at = help.find("\n" + std::string(name) + ": ", at);
     CHECK(at != std::string::npos);
   }
-  station.port.written.clear();
-  station.type("status\n");
-  station.go(1000);
-  CHECK(station.said() == "PX4, disarmed\r\nidle\r\naboard: not known\r\nstored: items 1\r\n");
+  CHECK(desk.answer("status\n") == "PX4, disarmed\r\nidle\r\naboard: not known\r\nstored: items 1\r\n");
 }
 
 TEST_CASE("what is pasted behind a load that failed is not done with the plan before") {
-  const std::string bad = std::string(kHead) + "1 0 3 16 x\n";
+  const std::string bad = kHead + "1 0 3 16 x\n";
   for (const std::string& load : {"load\n" + bad + "end\n", bad + "end\n", std::string("load\nend\n")}) {
     for (const char* command : {"upload\n", "verify\n", "start\n"}) {
-      Desk desk;
-      desk.answer(loading(1));
-      CHECK(desk.answer(load + command + command).find(std::string(kFailed) + kFailed) != std::string::npos);
-      CHECK(!desk.autopilot.isBusy());
+      Desk desk(1);
+      CHECK(has(desk.answer(load + command + command), kFailed + kFailed));
+      CHECK(!desk.client.isBusy());
       CHECK(desk.answer("cancel\n") == "nothing was loaded\r\n");
       CHECK(desk.answer(command).empty());
-      CHECK(desk.autopilot.isBusy());
+      CHECK(desk.client.isBusy());
     }
   }
 }
 
 TEST_CASE("a file without load, or one that comes during an operation, is refused once") {
-  Desk desk;
-  CHECK(desk.answer(fileOf(9) + "end\n") == "nothing is being loaded: type load first\r\nnothing was loaded\r\n");
-  desk.answer(loading(1));
+  CHECK(Desk().answer(fileOf(9) + "end\n") == "nothing is being loaded: type load first\r\nnothing was loaded\r\n");
+  Desk desk(1);
   desk.answer("upload\n");
   CHECK(desk.answer(loading(3) + "erase\ndownload\nstart\nclear\n") ==
-        std::string(kBusy) + "nothing was loaded\r\n" + kBusy + kBusy + kBusy + kBusy);
+        kBusy + "nothing was loaded\r\n" + kBusy + kBusy + kBusy + kBusy);
   CHECK(desk.plan.count() == 1);
-  CHECK(desk.answer("load\ncancel\n").find("cancelled by the sketch") != std::string::npos);
+  CHECK(has(desk.answer("load\ncancel\n"), "cancelled by the sketch"));
 }
 
 TEST_CASE("a plan is not exchanged, nor mixed with another one, while the sketch uses it") {
-  Desk desk;
-  desk.answer(loading(1));
+  Desk desk(1);
   desk.answer("load\n" + fileOf(2));
-  desk.autopilot.upload(desk.plan.source());
+  desk.client.upload(desk.plan.source());
   desk.answer("end\n");
   CHECK(desk.plan.count() == 1);
-  desk.autopilot.cancel();
-  CHECK(desk.answer("status\n").find("stored: items 2") != std::string::npos);
-  desk.answer("load\n" + fileOf(2));
-  desk.plan.sink();
-  CHECK(desk.answer("end\n").find("the EEPROM could not store the plan") != std::string::npos);
-  CHECK(desk.plan.count() == 2);
-  desk.answer("load\n" + fileOf(2));
-  desk.plan.erase();
-  CHECK(desk.answer("end\n").find("the EEPROM could not store the plan") != std::string::npos);
+  desk.client.cancel();
+  CHECK(has(desk.answer("status\n"), "stored: items 2"));
+  for (bool isErased : {false, true}) {
+    desk.answer("load\n" + fileOf(2));
+    if (isErased) {
+      desk.plan.erase();
+    } else {
+      desk.plan.sink();
+    }
+    CHECK(has(desk.answer("end\n"), "the EEPROM could not store the plan"));
+    if (!isErased) CHECK(desk.plan.count() == 2);
+  }
 }
 
 TEST_CASE("start does not fly the plan before one that was loaded") {
-  Station station;
-  station.type("upload\n");
-  REQUIRE(station.next(ClientOnLine::kCount) != nullptr);
-  station.hear(requestParts(0));
-  const SentFrame* item = station.next(ClientOnLine::kItemInt);
-  REQUIRE(item != nullptr);
-  station.hear(ackParts(0));
-  station.go(100);
-  REQUIRE((station.client.aboard() == Aboard::OurPlan));
-  station.port.written.clear();
-  station.type(loading(2) + "start\nstatus\n");
-  station.go(2000);
-  CHECK(station.said().find("the stored plan is not aboard: type upload\r\n") != std::string::npos);
-  CHECK(station.said().find("aboard: an earlier plan of ours, whole\r\n") != std::string::npos);
-  CHECK(!station.client.isBusy());
+  Desk desk(1, true);
+  desk.type("upload\n");
+  REQUIRE(desk.next(ClientOnLine::kCount) != nullptr);
+  desk.hear(requestParts(0));
+  REQUIRE(desk.next(ClientOnLine::kItemInt) != nullptr);
+  desk.hear(ackParts(0));
+  desk.go(100);
+  REQUIRE((desk.client.aboard() == Aboard::OurPlan));
+  const std::string said = desk.answer(loading(2) + "start\nstatus\n");
+  CHECK(has(said, "the stored plan is not aboard: type upload\r\n"));
+  CHECK(has(said, "aboard: an earlier plan of ours, whole\r\n"));
+  CHECK(!desk.client.isBusy());
 }
 
 TEST_CASE("a command is what is seen on the line when it ends, and one that is too long stays refused") {
-  const char kUnknown[] = "unknown command: type help\r\n";
   Desk desk;
   for (const char* line : {"startxxxxx\b\b\b\b", "startxxxxxxxxxxxxx\b\b\b\b\b\b\b\b\b\b\b\b\b", "starts \b", "st art",
                            "helps\x7F \x7F\x7F", "\x1B[Astart"}) {
-    CHECK(desk.answer(std::string(line) + "\n") == kUnknown);
-    CHECK(!desk.autopilot.isBusy());
+    CHECK(desk.answer(std::string(line) + "\n") == "unknown command: type help\r\n");
+    CHECK(!desk.client.isBusy());
   }
   for (const char* line : {"end", " END\t ",
                            "enf\x7F"
@@ -378,31 +324,28 @@ TEST_CASE("when the port's ring was full, no command that was on its way is done
   Desk desk;
   desk.console.setRing(63);
   const std::string many = "help\nstatus\nlist\nverify\nupload\nhelp\nstatus\nlist\nverify\nupload\nhelp\nsta";
-  const std::string ignored = "too much at once: the rest was ignored\r\n";
   CHECK(desk.answer(many, 90).empty());
   CHECK(desk.answer("rt\n", 90).empty());
-  CHECK(desk.answer("", 20) == ignored);
+  CHECK(desk.answer("", 20) == kIgnored);
   CHECK(desk.answer("end\n", 90) == "nothing is being loaded: type load first\r\n");
-  desk.type("help\n");
-  for (int i = 0; i < 3; ++i) desk.update();
-  CHECK(desk.answer(many).find(ignored) != std::string::npos);
-  CHECK(desk.said().find("stored: items") == std::string::npos);
+  desk.answer("help\n", 3);
+  CHECK(has(desk.answer(many), kIgnored));
+  CHECK(!has(desk.said(), "stored: items"));
   desk.answer("load\nQ\n", 90);
-  CHECK(desk.answer(std::string(70, '7') + "\nhelp\n") == ignored);
+  CHECK(desk.answer(std::string(70, '7') + "\nhelp\n") == kIgnored);
 }
 
 TEST_CASE("an EEPROM that does not keep what it is given is told, and the console goes on") {
   Desk desk;
-  const Eeprom deaf{readByte, [](uint16_t, uint8_t) {}, nullptr, 400};
-  EepromPlan broken(deaf);
+  EepromPlan broken(Eeprom{readByte, [](uint16_t, uint8_t) {}, nullptr, 400});
   broken.begin();
-  PlanConsole console(desk.port, desk.autopilot, broken);
-  desk.type(std::string("load\n") + kHead + "1 0 3 16 0 0 0 0 1 2 3 1\nend\nstatus\n");
-  for (int i = 0; i < 3000; ++i) {
-    setMillis(++desk.nowMs);
+  PlanConsole console(desk.port, desk.client, broken);
+  desk.type(loading(1) + "status\n");
+  for (int ms = 0; ms < 3000; ++ms) {
+    desk.run(1);
     broken.update();
     console.update();
   }
-  CHECK(desk.said().find(": the EEPROM could not store the plan\r\n") != std::string::npos);
-  CHECK(desk.said().find("stored: items 0\r\n") != std::string::npos);
+  CHECK(has(desk.said(), ": the EEPROM could not store the plan\r\n"));
+  CHECK(has(desk.said(), "stored: items 0\r\n"));
 }
