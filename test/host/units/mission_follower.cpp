@@ -5,10 +5,12 @@
 #include <string.h>
 
 #include <initializer_list>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "ClientOnLine.h"
+#include "PlanFrames.h"
 #include "Px4Checksum.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
@@ -17,15 +19,12 @@ using namespace mavmission;
 namespace {
 
 constexpr uint16_t kNoItem = MissionClient::kNoItem;
-constexpr uint8_t kAccepted = MAV_MISSION_ACCEPTED, kError = MAV_MISSION_ERROR;
-constexpr uint8_t kMission = MAV_MISSION_TYPE_MISSION, kFence = MAV_MISSION_TYPE_FENCE;
+constexpr uint8_t kArduPilot = ClientOnLine::kArduPilot, kPx4 = ClientOnLine::kPx4;
 constexpr uint32_t kTheirs = 0x9876;
 constexpr uint8_t kNoMission = 1, kActive = 3;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
 
-const char* nameOf(Aboard aboard) {
-  return aboard == Aboard::OurPlan ? "ours" : aboard == Aboard::OtherPlan ? "another" : "not known";
-}
+void append(std::string& list, const std::string& word) { list += (list.empty() ? "" : " ") + word; }
 
 struct Desk : ClientOnLine {
   MissionFollower follower;
@@ -40,10 +39,7 @@ struct Desk : ClientOnLine {
     follower.onText(noteText, &texts);
   }
 
-  static void noteNumber(void* list, uint16_t item) {
-    std::string& text = *static_cast<std::string*>(list);
-    text += (text.empty() ? "" : " ") + std::to_string(item);
-  }
+  static void noteNumber(void* list, uint16_t item) { append(*static_cast<std::string*>(list), std::to_string(item)); }
   static void noteText(void* list, uint8_t severity, const char* text) {
     *static_cast<std::string*>(list) += std::to_string(severity) + " " + text + ". ";
   }
@@ -78,7 +74,8 @@ struct Desk : ClientOnLine {
     message.id = 0x4141;  // lies behind the text
     tell(MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC, message, systemId);
   }
-  void count(uint32_t name, uint8_t type = kMission) {
+  // The answer to another station's download or upload.
+  void count(uint32_t name, uint8_t type) {
     mavlink_mission_count_t message = mavlink_mission_count_t();
     message.count = 2;
     message.target_system = 255;
@@ -87,15 +84,14 @@ struct Desk : ClientOnLine {
     message.opaque_id = name;
     tell(MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, message);
   }
-  // The answer to another station.
-  void ack(uint32_t name, uint8_t result = kAccepted, uint8_t type = kMission) {
-    mavlink_mission_ack_t message = mavlink_mission_ack_t();
-    message.target_system = 255;
-    message.target_component = 190;
-    message.type = result;
-    message.mission_type = type;
-    message.opaque_id = name;
-    tell(MAVLINK_MSG_ID_MISSION_ACK, MAVLINK_MSG_ID_MISSION_ACK_CRC, message);
+  void ack(uint32_t name, uint8_t result, uint8_t type) {
+    hear(ackParts(result, 255, 190, type, name));
+    while (!line.toRead.empty()) run(1);
+  }
+  // Heard alone, armed or not.
+  void beat(bool isArmed) {
+    beats = false;
+    hear(heartbeatParts(kPx4, isArmed ? MAV_MODE_FLAG_SAFETY_ARMED : 0));
   }
 
   // Our plan is put aboard, from the beginning to the last item...
@@ -115,7 +111,7 @@ struct Desk : ClientOnLine {
   void upload() {
     run(3500);
     transfer();
-    hear(ackParts(kAccepted, 1, 191, 0, ours));
+    hear(ackParts(MAV_MISSION_ACCEPTED, 1, 191, 0, ours));
     run(1);
     REQUIRE((ended == Status::Accepted));
     REQUIRE(follower.isOurPlan());
@@ -142,9 +138,64 @@ struct Desk : ClientOnLine {
     }
     run(5);
   }
+  // Whose plan the follower takes it for: "ours", "another", "not known"; or that the client says "infeasible".
   std::string aboard() const {
     CHECK(follower.isOurPlan() == (client.aboard() == Aboard::OurPlan));
-    return nameOf(client.aboard());
+    if (client.status() == Status::Infeasible) return "infeasible";
+    return client.aboard() == Aboard::OurPlan ? "ours" : client.aboard() == Aboard::OtherPlan ? "another" : "not known";
+  }
+
+  // What is heard, one behind the other: "ours, theirs of 3, ack theirs fence, says words". Whose plan it is behind
+  // each.
+  std::string hears(const std::string& script) {
+    std::string story;
+    std::istringstream all(script);
+    for (std::string one; std::getline(all, one, ',');) {
+      event(one.substr(one.find_first_not_of(' ')));
+      append(story, aboard());
+    }
+    return story;
+  }
+  // MISSION_CURRENT with the name of a plan, "ours", "theirs", "unnamed" or a number, or ArduPilot's, which has none:
+  // "total 3". "of 3" is its total; its state is "active" unless it is "no mission" or "unknown".
+  void event(const std::string& text) {
+    std::istringstream words(text);
+    std::string first, second, third;
+    words >> first >> second >> third;
+    const uint8_t type = third == "fence" ? MAV_MISSION_TYPE_FENCE : MAV_MISSION_TYPE_MISSION;
+    const uint8_t result = third == "error" ? MAV_MISSION_ERROR : MAV_MISSION_ACCEPTED;
+    const uint8_t state = text.find("no mission") != std::string::npos ? kNoMission
+                          : text.find("unknown") != std::string::npos  ? 0
+                                                                       : kActive;
+    if (first == "wait") return run(static_cast<uint32_t>(std::stoul(second)));
+    if (first == "says") return say(text.substr(5));
+    if (first == "count") return count(nameOf(second), type);
+    if (first == "ack") return ack(nameOf(second), result, type);
+    if (first == "total") return current(1, static_cast<uint16_t>(std::stoul(second)), 0, state);
+    current(0, second == "of" ? static_cast<uint16_t>(std::stoul(third)) : 2, nameOf(first), state);
+  }
+  uint32_t nameOf(const std::string& word) const {
+    if (word == "ours") return ours;
+    if (word == "theirs") return kTheirs;
+    return word == "unnamed" ? 0 : static_cast<uint32_t>(std::stoul(word));
+  }
+
+  // The mission as the follower has it: "1 of 7 active, reached 0".
+  std::string mission() const {
+    const auto number = [](uint16_t item) { return item == kNoItem ? "none" : std::to_string(item); };
+    static const char* const kStates[] = {"not known", "no mission", "not started", "active", "paused", "complete"};
+    return number(follower.currentItem()) + " of " + std::to_string(follower.total()) + " " +
+           kStates[static_cast<uint8_t>(follower.state())] + ", reached " + number(follower.reachedItem());
+  }
+  // MISSION_CURRENT of an item, 100 + one that is reached, or 200: the mission is complete.
+  void fly(std::initializer_list<uint16_t> messages) {
+    for (uint16_t message : messages) {
+      if (message == 200) {
+        current(3, 4, 0, 5);
+      } else {
+        message >= 100 ? reached(static_cast<uint16_t>(message - 100)) : current(message, 4);
+      }
+    }
   }
 
   // When MISSION_CURRENT was requested [ms, since then].
@@ -190,13 +241,11 @@ TEST_CASE("a MISSION_CURRENT keeps the request back, and lets the pauses begin a
 
 TEST_CASE("heartbeats that come more often do not bring a second request before the answer to the first") {
   Desk desk;
-  desk.beats = false;
-  const auto beat = [&desk]() {
-    desk.hear(heartbeatParts(ClientOnLine::kPx4));
-    desk.run(100);
-  };
   const uint32_t fromMs = desk.nowMs();
-  for (int i = 0; i < 18; ++i) beat();
+  for (int i = 0; i < 18; ++i) {
+    desk.beat(false);
+    desk.run(100);
+  }
   CHECK(desk.requests(fromMs) == "202 1702");
 }
 
@@ -232,11 +281,7 @@ TEST_CASE("the answer to the request lets another listener ask at once") {
     } desk;
     desk.pass(2500);  // both are due at the third heartbeat
     REQUIRE(desk.asked == "30 42 ");
-    const uint16_t command = isAnswered ? MAV_CMD_SET_MESSAGE_INTERVAL : MAV_CMD_REQUEST_MESSAGE;
-    desk.hear(FrameParts(
-        MAVLINK_MSG_ID_COMMAND_ACK,
-        {static_cast<uint8_t>(command), static_cast<uint8_t>(command >> 8), MAV_RESULT_DENIED, 0, 0, 0, 0, 0, 1, 191},
-        MAVLINK_MSG_ID_COMMAND_ACK_CRC));
+    desk.hear(commandAckParts(isAnswered ? MAV_CMD_SET_MESSAGE_INTERVAL : MAV_CMD_REQUEST_MESSAGE, MAV_RESULT_DENIED));
     desk.pass(10);
     CHECK(desk.asked == (isAnswered ? "30 42 30 " : "30 42 "));
   }
@@ -244,35 +289,23 @@ TEST_CASE("the answer to the request lets another listener ask at once") {
 
 // --- The mission
 
-TEST_CASE("before the autopilot has reported anything nothing is known") {
-  Desk desk;
-  CHECK(desk.follower.currentItem() == kNoItem);
-  CHECK(desk.follower.reachedItem() == kNoItem);
-  CHECK(desk.follower.total() == 0);
-  CHECK((desk.follower.state() == MissionState::NotKnown));
-  CHECK_FALSE(desk.follower.isOurPlan());
-}
-
 TEST_CASE("the current item, the total and the state are those of the last MISSION_CURRENT") {
-  for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    const uint16_t home = autopilot == ClientOnLine::kArduPilot ? 1 : 0;  // counted as an item on the wire
+  for (uint8_t autopilot : {kArduPilot, kPx4}) {
+    const uint16_t home = autopilot == kArduPilot ? 1 : 0;  // counted as an item on the wire
     Desk desk(autopilot);
+    CHECK(desk.mission() == "none of 0 not known, reached none");
+    CHECK_FALSE(desk.follower.isOurPlan());
     desk.run(3500);
     desk.current(home + 0, 7, 0, 2);
-    CHECK(desk.follower.currentItem() == 0);
-    CHECK(desk.follower.total() == 7);
-    CHECK((desk.follower.state() == MissionState::NotStarted));
-    desk.current(home + 1, 0xFFFE, 0, kActive);
-    desk.current(home + 1, 0xFFFE, 0, kActive);
-    CHECK(desk.follower.total() == 0xFFFE);
-    CHECK((desk.follower.state() == MissionState::Active));
+    CHECK(desk.mission() == "0 of 7 not started, reached none");
+    desk.current(home + 1, 0xFFFE);
+    desk.current(home + 1, 0xFFFE);
+    CHECK(desk.mission() == "1 of 65534 active, reached none");
     desk.current(home + 5, 0xFFFF, 0, 4);
-    CHECK(desk.follower.currentItem() == 5);
-    CHECK(desk.follower.total() == 0);
-    CHECK((desk.follower.state() == MissionState::Paused));
+    CHECK(desk.mission() == "5 of 0 paused, reached none");
     desk.current(home + 2, 9, 0, kActive, 2);  // another aircraft's
     desk.reached(home + 2, 2);
-    CHECK(desk.follower.currentItem() == 5);
+    CHECK(desk.mission() == "5 of 0 paused, reached none");
     CHECK(desk.currents == "0 1 5");
     CHECK(desk.reacheds.empty());
     // As an older autopilot sends it, which has no more than the item.
@@ -281,20 +314,17 @@ TEST_CASE("the current item, the total and the state are those of the last MISSI
     shorter.version = 1;
     desk.hear(shorter);
     desk.run(5);
-    CHECK(desk.follower.currentItem() == 3);
-    CHECK(desk.follower.total() == 0);
-    CHECK((desk.follower.state() == MissionState::NotKnown));
+    CHECK(desk.mission() == "3 of 0 not known, reached none");
   }
 }
 
 TEST_CASE("home is no item, and the one behind it is told again") {
-  Desk desk(ClientOnLine::kArduPilot);
+  Desk desk(kArduPilot);
   desk.run(3500);
   desk.current(1);
   desk.current(0);
-  CHECK(desk.follower.currentItem() == kNoItem);
   desk.reached(0);
-  CHECK(desk.follower.reachedItem() == kNoItem);
+  CHECK(desk.mission() == "none of 2 active, reached none");
   desk.current(1);
   CHECK(desk.currents == "0 0");
   CHECK(desk.reacheds.empty());
@@ -303,17 +333,14 @@ TEST_CASE("home is no item, and the one behind it is told again") {
 TEST_CASE("from each arming on no item is reached until one is, though PX4 repeats the last flight's") {
   Desk desk;
   desk.run(3500);
-  desk.beats = false;
   for (int flight = 0; flight < 2; ++flight) {
-    desk.hear(heartbeatParts(ClientOnLine::kPx4, MAV_MODE_FLAG_SAFETY_ARMED));
+    desk.beat(true);
     desk.run(50);
     CHECK(desk.follower.reachedItem() == kNoItem);
     if (flight != 0) desk.reached(1);
     CHECK(desk.follower.reachedItem() == kNoItem);
-    desk.current(0);
-    desk.current(1);
-    desk.reached(1);
-    desk.hear(heartbeatParts(ClientOnLine::kPx4));
+    desk.fly({0, 1, 101});
+    desk.beat(false);
     desk.run(50);
     CHECK(desk.follower.reachedItem() == 1);
   }
@@ -329,8 +356,7 @@ TEST_CASE("functions that are taken back, or never given, are not called") {
   desk.current(1);
   desk.reached(1);
   desk.say("words");
-  CHECK(desk.follower.currentItem() == 1);
-  CHECK(desk.follower.reachedItem() == 1);
+  CHECK(desk.mission() == "1 of 2 active, reached 1");
   CHECK(desk.currents.empty());
   CHECK(desk.reacheds.empty());
   CHECK(desk.texts.empty());
@@ -338,7 +364,7 @@ TEST_CASE("functions that are taken back, or never given, are not called") {
 
 TEST_CASE("an item is reached once, however often PX4 says so, and again when it is flown again") {
   const struct {
-    std::initializer_list<int> messages;  // a current item, or 100 + one that is reached
+    std::initializer_list<uint16_t> messages;
     const char* reached;
   } kFlights[] = {
       {{100}, "0"},
@@ -364,10 +390,7 @@ TEST_CASE("an item is reached once, however often PX4 says so, and again when it
     CAPTURE(flight.reached);
     Desk desk;
     desk.run(3500);
-    for (int message : flight.messages) {
-      message >= 100 ? desk.reached(static_cast<uint16_t>(message - 100))
-                     : desk.current(static_cast<uint16_t>(message));
-    }
+    desk.fly(flight.messages);
     CHECK(desk.reacheds == flight.reached);
     CHECK(std::to_string(desk.follower.reachedItem()) == desk.reacheds.substr(desk.reacheds.rfind(' ') + 1));
   }
@@ -376,7 +399,7 @@ TEST_CASE("an item is reached once, however often PX4 says so, and again when it
 TEST_CASE("in flight an item that is behind is told once, in order, whatever was lost") {
   const struct {
     bool isArmed;
-    std::initializer_list<int> messages;  // a current item, 100 + one that is reached, or 200: the mission is complete
+    std::initializer_list<uint16_t> messages;
     const char* reached;
   } kFlights[] = {
       {true, {0, 1, 2, 3}, "0 1 2"},
@@ -394,33 +417,23 @@ TEST_CASE("in flight an item that is behind is told once, in order, whatever was
   for (const auto& flight : kFlights) {
     CAPTURE(flight.reached);
     Desk desk;
-    desk.beats = false;
-    desk.hear(heartbeatParts(ClientOnLine::kPx4, flight.isArmed ? 128 : 0));
+    desk.beat(flight.isArmed);
     desk.run(2000);
-    for (int message : flight.messages) {
-      if (message == 200) {
-        desk.current(3, 4, 0, 5);
-      } else if (message >= 100) {
-        desk.reached(static_cast<uint16_t>(message - 100));
-      } else {
-        desk.current(static_cast<uint16_t>(message), 4);
-      }
-    }
+    desk.fly(flight.messages);
     CHECK(desk.reacheds == flight.reached);
   }
 }
 
 TEST_CASE("items that a command of the client's leaves out are not told of as reached") {
   Desk desk;
-  desk.beats = false;
-  desk.hear(heartbeatParts(ClientOnLine::kPx4, 128));
+  desk.beat(true);
   desk.run(2000);
-  desk.hear(heartbeatParts(ClientOnLine::kPx4, 128));
+  desk.beat(true);
   desk.current(0, 9);
   desk.client.setCurrentItem(5);
   desk.run(20);
   desk.current(5, 9);
-  desk.hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {224, 0, 0, 0, 0, 0, 0, 0, 1, 191}, MAVLINK_MSG_ID_COMMAND_ACK_CRC));
+  desk.hear(commandAckParts(MAV_CMD_DO_SET_MISSION_CURRENT, MAV_RESULT_ACCEPTED));
   desk.run(20);
   REQUIRE((desk.ended == Status::Done));
   desk.current(6, 9);
@@ -437,205 +450,129 @@ TEST_CASE("each text is given with its severity, and ends behind 50 characters")
   CHECK(desk.texts == "2 first. 7 " + std::string(50, 'x') + ". 5 . ");
 }
 
-// --- Whose plan it is, on PX4
+// --- Whose plan it is: our own was accepted, and then somebody speaks
 
 TEST_CASE("PX4 names our plan, and another name is another plan's") {
-  Desk desk;
-  desk.upload();
-  for (int i = 0; i < 5; ++i) desk.current(0, 2, desk.ours);
-  CHECK(desk.aboard() == "ours");
-  desk.current(0, 2, kTheirs);
-  CHECK(desk.aboard() == "another");
-  desk.current(0, 2, kTheirs);
-  CHECK(desk.aboard() == "another");
-  desk.current(0, 2, desk.ours);
-  CHECK(desk.aboard() == "ours");
-}
-
-TEST_CASE("another name behind a report without one is another plan's at once") {
-  Desk desk;
-  desk.upload();
-  desk.current(0, 2, desk.ours);
-  desk.current(0, 2, 0);
-  CHECK(desk.aboard() == "ours");
-  desk.current(0, 2, kTheirs);
-  CHECK(desk.aboard() == "another");
-}
-
-TEST_CASE("an older name that comes up to three times behind the acceptance is no other plan") {
-  for (int times : {1, 3, 4}) {
-    CAPTURE(times);
-    Desk desk;
-    desk.run(3500);
-    desk.current(0, 2, kTheirs);
-    desk.upload();
-    for (int i = 0; i < times; ++i) desk.current(0, 2, kTheirs);
-    CHECK(desk.aboard() == (times == 4 ? "another" : "ours"));
-    desk.current(0, 2, desk.ours);
-    CHECK(desk.aboard() == "ours");
-    desk.current(0, 2, kTheirs);
-    CHECK(desk.aboard() == "another");
-  }
-}
-
-TEST_CASE("an older name with another total is somebody else's: it is believed when it comes twice") {
-  for (int times : {1, 2}) {
-    CAPTURE(times);
-    Desk desk;
-    desk.run(3500);
-    desk.current(0, 2, kTheirs);
-    desk.upload();
-    for (int i = 0; i < times; ++i) desk.current(0, 3, kTheirs);
-    CHECK(desk.aboard() == (times == 2 ? "another" : "ours"));
-  }
-}
-
-TEST_CASE("the answer to another station's upload or download names the plan at once") {
-  for (bool isCount : {true, false}) {
-    CAPTURE(isCount);
-    Desk desk;
-    desk.upload();
-    desk.current(0, 2, desk.ours);
-    isCount ? desk.count(0) : desk.ack(0);  // an older firmware names none
-    isCount ? desk.count(kTheirs, kFence) : desk.ack(kTheirs, kAccepted, kFence);
-    if (!isCount) desk.ack(kTheirs, kError);
-    CHECK(desk.aboard() == "ours");
-    isCount ? desk.count(desk.ours) : desk.ack(desk.ours);
-    CHECK(desk.aboard() == "ours");
-    for (uint32_t name : {kTheirs, uint32_t{1}}) {
-      isCount ? desk.count(name) : desk.ack(name);
-      CHECK(desk.aboard() == "another");
-      isCount ? desk.count(desk.ours) : desk.ack(desk.ours);
-      CHECK(desk.aboard() == "ours");
-    }
-    isCount ? desk.count(kTheirs) : desk.ack(kTheirs);
-    CHECK(desk.aboard() == "another");
-    isCount ? desk.count(desk.ours) : desk.ack(desk.ours);
-    CHECK(desk.aboard() == "ours");
-  }
-}
-
-TEST_CASE("a PX4 that has no plan, and names none, has not ours") {
-  Desk desk;
-  desk.upload();
-  desk.current(0, 2, desk.ours);
-  desk.current(0, 0xFFFF, 0, kNoMission);
-  CHECK(desk.aboard() == "another");
-  Desk fresh;
-  fresh.upload();
-  std::string story;
-  for (int i = 0; i < 4; ++i) {
-    fresh.current(0, 0xFFFF, 0, kNoMission);
-    story += fresh.aboard() + " ";
-  }
-  CHECK(story == "ours ours ours another ");
-}
-
-TEST_CASE("a plan that PX4 accepts and then reports twice as no mission is not feasible") {
   const struct {
-    std::initializer_list<int> states;
-    bool isFeasible;
+    const char *before, *heard, *story;  // before our upload, and behind it
   } kCases[] = {
-      {{1}, true}, {{1, 1}, false}, {{1, 3, 1}, true}, {{3, 3, 3}, true}, {{1, 3, 1, 1}, false}, {{3, 1, 1}, false},
+      {"", "ours, ours, ours, ours, ours, theirs, theirs, ours", "ours ours ours ours ours another another ours"},
+      {"", "ours, unnamed, theirs", "ours ours another"},
+      // An older name may come up to three times behind the acceptance...
+      {"theirs", "theirs, ours, theirs", "ours ours another"},
+      {"theirs", "theirs, theirs, theirs, ours, theirs", "ours ours ours ours another"},
+      {"theirs", "theirs, theirs, theirs, theirs, ours, theirs", "ours ours ours another ours another"},
+      // ... and with another total it is somebody else's, which is believed when it comes twice.
+      {"theirs", "theirs of 3, theirs of 3", "ours another"},
+      // A PX4 that has no plan, and names none, has not ours.
+      {"", "ours, unnamed of 65535 no mission", "ours another"},
+      {"",
+       "unnamed of 65535 no mission, unnamed of 65535 no mission, unnamed of 65535 no mission, "
+       "unnamed of 65535 no mission",
+       "ours ours ours another"},
+      // The answer to another station names the plan at once. An older firmware names none, and a fence is no mission.
+      {"", "ours, ack unnamed, ack theirs fence, ack theirs error, ack ours", "ours ours ours ours ours"},
+      {"", "ours, ack theirs, ack ours, ack 1, ack ours, ack theirs, ack ours",
+       "ours another ours another ours another ours"},
+      {"", "ours, count unnamed, count theirs fence, count ours", "ours ours ours ours"},
+      {"", "ours, count theirs, count ours, count 1, count ours, count theirs, count ours",
+       "ours another ours another ours another ours"},
+      // A plan that PX4 accepts and then reports twice as no mission is not feasible...
+      {"", "ours no mission, ours no mission", "ours infeasible"},
+      {"", "ours no mission, ours, ours no mission, ours no mission", "ours ours ours infeasible"},
+      {"", "ours, ours, ours, ours no mission, ours no mission", "ours ours ours ours infeasible"},
+      // ... where neither an older name between, nor an answer without a name, says anything about it, ...
+      {"", "theirs, ours no mission, ack unnamed, ours no mission", "ours ours ours infeasible"},
+      // ... unless the name is another one's, or an answer has named the plan between the two.
+      {"", "ours, theirs no mission, theirs no mission", "ours another another"},
+      {"", "ours no mission, count ours, ours no mission, ours no mission", "ours ours ours infeasible"},
   };
   for (const auto& one : kCases) {
+    CAPTURE(one.heard);
     Desk desk;
+    desk.run(3500);
+    desk.hears(one.before);
     desk.upload();
-    for (int state : one.states) desk.current(0, 2, desk.ours, static_cast<uint8_t>(state));
-    desk.run(5);
-    CHECK((desk.client.status() == Status::Infeasible) == !one.isFeasible);
+    CHECK(desk.hears(one.heard) == one.story);
   }
-  // An older name between is no report of ours, and an answer without a name says nothing about it.
-  Desk older;
-  older.upload();
-  older.current(0, 2, kTheirs);
-  older.current(0, 2, older.ours, kNoMission);
-  CHECK((older.client.status() != Status::Infeasible));
-  older.ack(0);
-  older.current(0, 2, older.ours, kNoMission);
-  CHECK((older.client.status() == Status::Infeasible));
-  Desk arduPilot(ClientOnLine::kArduPilot);
-  arduPilot.upload();
-  for (int i = 0; i < 3; ++i) arduPilot.current(1, 2, 0, kNoMission);
-  CHECK((arduPilot.client.status() != Status::Infeasible));
-  // The name is another one's, or an answer has named the plan between the two.
-  Desk other;
-  other.upload();
-  other.current(0, 2, other.ours);
-  other.current(0, 2, kTheirs, kNoMission);
-  other.current(0, 2, kTheirs, kNoMission);
-  CHECK((other.client.status() != Status::Infeasible));
-  Desk between;
-  between.upload();
-  between.current(0, 2, between.ours, kNoMission);
-  between.count(between.ours);
-  between.current(0, 2, between.ours, kNoMission);
-  CHECK((between.client.status() != Status::Infeasible));
-  between.current(0, 2, between.ours, kNoMission);
-  CHECK((between.client.status() == Status::Infeasible));
 }
 
-TEST_CASE("a plan that PX4 rejects in words is not feasible") {
+TEST_CASE("ArduPilot's total is that of our plan, or it is another one when it says so twice") {
   const struct {
-    const char* words;
-    bool isRejected;
-  } kTexts[] = {{"Mission rejected: no takeoff", true},
-                {"Mission rejected", true},
-                {"Mission rejecte", false},
-                {"Mission rejectex", false},
-                {" Mission rejected", false},
-                {"Mission accepted", false}};
+    const char *before, *heard, *story;
+  } kCases[] = {
+      {"", "total 2, total 2, total 2, total 2", "ours ours ours ours"},
+      {"", "total 2, total 3, total 3, total 3, total 2, total 2",  // a total is no name: it is not back
+       "ours ours another another another another"},
+      {"", "total 2, total 3, total 2, total 3, total 3", "ours ours ours ours another"},
+      {"", "total 2, total 0, total 0", "ours ours another"},
+      {"", "total 2, total 65535, total 65535", "ours ours another"},
+      {"", "total 3, total 3, total 3, total 3", "ours another another another"},
+      {"total 5", "total 5, total 5, total 5, total 5, total 5", "ours ours ours another another"},
+      {"total 5", "total 5, total 3, total 3, total 3", "ours ours another another"},
+      {"total 5", "total 5, total 2, total 3, total 3", "ours ours ours another"},
+      {"total 5", "total 5, total 5, total 5, total 3, total 3", "ours ours ours another another"},
+      // One that comes before the state is known counts when it comes twice behind that.
+      {"", "total 2, total 3 unknown, total 3, total 3", "ours ours ours another"},
+      // Nothing is infeasible here.
+      {"", "total 2 no mission, total 2 no mission, total 2 no mission", "ours ours ours"},
+      // One text about an upload belongs to our own, within three heartbeats of its acceptance.
+      {"", "says Flight plan received, says Flight plan received", "ours another"},
+      {"", "wait 2000, says Flight plan received, says Flight plan received", "ours ours another"},
+      {"", "wait 3000, says Flight plan received, says Flight plan received", "ours another another"},
+      // The acceptance of another station's item gives no words of ours to come.
+      {"", "wait 5000, ack unnamed, says Flight plan received", "ours ours another"},
+  };
+  for (const auto& one : kCases) {
+    CAPTURE(one.heard);
+    Desk desk(kArduPilot);
+    desk.run(3500);
+    desk.hears(one.before);
+    desk.upload();
+    CHECK(desk.hears(one.heard) == one.story);
+  }
+}
+
+TEST_CASE("ArduPilot's words about an upload that is not ours tell of another plan, and PX4's of a rejected one") {
+  const struct {
+    const char *words, *onArduPilot, *onPx4;
+  } kTexts[] = {
+      {"Flight plan received", "another", "ours"},
+      {"Mission upload timeout", "another", "ours"},
+      {"Flight pl", "another", "ours"},
+      {"Flight p", "ours", "ours"},
+      {"Flight px", "ours", "ours"},
+      {"Mission up", "another", "ours"},
+      {"Mission u", "ours", "ours"},
+      {"Mission uq", "ours", "ours"},
+      {"Mission: 3 WP", "ours", "ours"},
+      {"Flight mode", "ours", "ours"},
+      {"A Flight plan", "ours", "ours"},
+      {"Mission rejected: no takeoff", "ours", "infeasible"},
+      {"Mission rejected", "ours", "infeasible"},
+      {"Mission rejecte", "ours", "ours"},
+      {"Mission rejectex", "ours", "ours"},
+      {" Mission rejected", "ours", "ours"},
+      {"Mission accepted", "ours", "ours"},
+  };
   for (const auto& text : kTexts) {
-    for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
+    for (uint8_t autopilot : {kArduPilot, kPx4}) {
       CAPTURE(text.words);
       Desk desk(autopilot);
       desk.upload();
+      desk.run(5000);
       desk.say(text.words);
-      const bool isRejected = text.isRejected && autopilot == ClientOnLine::kPx4;
-      CHECK((desk.client.status() == Status::Infeasible) == isRejected);
+      CHECK(desk.aboard() == (autopilot == kPx4 ? text.onPx4 : text.onArduPilot));
       CHECK(desk.texts == "6 " + std::string(text.words) + ". ");
     }
   }
 }
 
-// --- Whose plan it is, on ArduPilot
-
-TEST_CASE("ArduPilot's total is that of our plan, or it is another one when it says so twice") {
-  const struct {
-    uint16_t before;  // our plan: 0: nothing is heard
-    std::initializer_list<uint16_t> totals;
-    const char* story;
-  } kCases[] = {
-      {0, {2, 2, 2, 2}, "ours ours ours ours "},
-      {0, {2, 3, 3, 3, 2, 2}, "ours ours another another another another "},  // a total is no name: it is not back
-      {0, {2, 3, 2, 3, 3}, "ours ours ours ours another "},
-      {0, {2, 0, 0}, "ours ours another "},
-      {0, {2, 0xFFFF, 0xFFFF}, "ours ours another "},
-      {0, {3, 3, 3, 3}, "ours another another another "},
-      {5, {5, 5, 5, 5, 5}, "ours ours ours another another "},
-      {5, {5, 3, 3, 3}, "ours ours another another "},
-      {5, {5, 2, 3, 3}, "ours ours ours another "},
-      {5, {5, 5, 5, 3, 3}, "ours ours ours another another "},
-  };
-  for (const auto& one : kCases) {
-    Desk desk(ClientOnLine::kArduPilot);
-    desk.run(3500);
-    if (one.before != 0) desk.current(1, one.before);
-    desk.upload();
-    std::string story;
-    for (uint16_t total : one.totals) {
-      desk.current(1, total);
-      story += desk.aboard() + " ";
-    }
-    CHECK(story == one.story);
-  }
-}
-
 TEST_CASE("a plan that was verified is another one at the first report of another total") {
-  Desk first(ClientOnLine::kArduPilot);
+  Desk first(kArduPilot);
   first.upload();
   for (uint16_t total : {2, 3}) {
-    Desk desk(ClientOnLine::kArduPilot);
+    Desk desk(kArduPilot);
     desk.run(3500);
     desk.verify(first.items);
     REQUIRE((desk.ended == Status::Verified));
@@ -645,60 +582,8 @@ TEST_CASE("a plan that was verified is another one at the first report of anothe
   }
 }
 
-TEST_CASE("a total that comes before the state is known counts when it comes twice behind that") {
-  Desk desk(ClientOnLine::kArduPilot);
-  desk.upload();
-  desk.current(1, 2);
-  desk.current(1, 3, 0, 0);
-  desk.current(1, 3);
-  CHECK(desk.aboard() == "ours");
-  desk.current(1, 3);
-  CHECK(desk.aboard() == "another");
-}
-
-TEST_CASE("ArduPilot's words about an upload that is not ours tell of another plan") {
-  const struct {
-    const char* words;
-    bool isAboutPlan;
-  } kTexts[] = {{"Flight plan received", true},
-                {"Mission upload timeout", true},
-                {"Flight pl", true},
-                {"Flight p", false},
-                {"Flight px", false},
-                {"Mission up", true},
-                {"Mission u", false},
-                {"Mission uq", false},
-                {"Mission: 3 WP", false},
-                {"Flight mode", false},
-                {"A Flight plan", false}};
-  for (const auto& text : kTexts) {
-    CAPTURE(text.words);
-    for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-      Desk desk(autopilot);
-      desk.upload();
-      desk.run(5000);
-      desk.say(text.words);
-      const bool isAnother = text.isAboutPlan && autopilot == ClientOnLine::kArduPilot;
-      CHECK(desk.aboard() == (isAnother ? "another" : "ours"));
-    }
-  }
-}
-
-TEST_CASE("one such text belongs to our own upload, within three heartbeats of its acceptance") {
-  for (uint32_t seconds : {0u, 1u, 2u, 3u}) {
-    CAPTURE(seconds);
-    Desk desk(ClientOnLine::kArduPilot);
-    desk.upload();
-    desk.run(1000 * seconds);
-    desk.say("Flight plan received");
-    CHECK(desk.aboard() == (seconds == 3 ? "another" : "ours"));
-    desk.say("Flight plan received");
-    CHECK(desk.aboard() == "another");
-  }
-}
-
 TEST_CASE("while we transfer a plan the words are about that, and during a command they are not") {
-  Desk desk(ClientOnLine::kArduPilot);
+  Desk desk(kArduPilot);
   desk.upload();
   desk.run(5000);
   desk.client.arm();
@@ -706,21 +591,11 @@ TEST_CASE("while we transfer a plan the words are about that, and during a comma
   REQUIRE((desk.client.status() == Status::Transferring));
   desk.say("Mission upload timeout");
   CHECK(desk.aboard() == "another");
-  Desk verifying(ClientOnLine::kArduPilot);
+  Desk verifying(kArduPilot);
   verifying.upload();
   verifying.run(5000);
   verifying.client.verify(inRam(kPlan));
   REQUIRE(verifying.runUntilSent(ClientOnLine::kRequestList, 100));
   verifying.say("Mission upload timeout");
   CHECK(verifying.aboard() == "ours");
-}
-
-TEST_CASE("the acceptance of another station's item gives no words of ours to come") {
-  Desk desk(ClientOnLine::kArduPilot);
-  desk.upload();
-  desk.run(5000);
-  desk.ack(0);
-  CHECK(desk.aboard() == "ours");
-  desk.say("Flight plan received");
-  CHECK(desk.aboard() == "another");
 }
