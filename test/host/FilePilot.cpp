@@ -1,5 +1,7 @@
 #include "FilePilot.h"
 
+#include <stdexcept>
+
 using mavmission::ItemSource;
 using mavmission::PlanType;
 
@@ -93,7 +95,7 @@ FilePilot& FilePilot::download(uint16_t limit, PlanType ofType) {
 }
 
 FilePilot& FilePilot::until(const std::string& words) {
-  if (!passUntil(words)) say("never said: " + words);
+  if (!passUntil(words)) throw std::runtime_error("never said: " + words);
   return *this;
 }
 

@@ -1,11 +1,11 @@
 #include "SteeredAircraft.h"
 
+#include <stdexcept>
+
 namespace steered {
 
 Aircraft::Aircraft(uint8_t autopilot, uint8_t vehicleType)
-    : ClientOnLine(autopilot), steering(client), type(vehicleType), isPx4_(autopilot == kPx4) {
-  beats = false;
-}
+    : AnsweringPeer(autopilot), steering(client), type(vehicleType), isPx4_(autopilot == kPx4) {}
 
 Aircraft& Aircraft::stand(uint32_t inMode) {
   mode = inMode;
@@ -25,6 +25,90 @@ Aircraft& Aircraft::fly(uint32_t inMode) {
   return *this;
 }
 
+Aircraft& Aircraft::wait(uint32_t ms) {
+  pass(ms);
+  return *this;
+}
+
+Aircraft& Aircraft::until(uint16_t command) {
+  if (!passUntil(command)) throw std::runtime_error("never sent: " + std::to_string(command));
+  return *this;
+}
+
+Aircraft& Aircraft::answering(uint16_t command, int result) {
+  gives[command] = result;
+  return *this;
+}
+
+Aircraft& Aircraft::silence(bool isSilent) {
+  beatsBySecond = beatsWhenAsked = !isSilent;
+  return *this;
+}
+
+Aircraft& Aircraft::atHeight(int32_t aboveHomeMm) {
+  homeMm = aboveHomeMm;
+  seaMm = 584000 + aboveHomeMm;
+  tellPosition();
+  return wait(2);
+}
+
+Aircraft& Aircraft::takeOff(mavmission::Metres height) {
+  steering.takeOff(height);
+  return *this;
+}
+
+Aircraft& Aircraft::goTo(mavmission::Altitude altitude) { return goTo(kThere, altitude); }
+
+Aircraft& Aircraft::goTo(const mavmission::LatLon& place, mavmission::Altitude altitude) {
+  steering.goTo(place, altitude);
+  return *this;
+}
+
+Aircraft& Aircraft::setSpeed(float metresPerSecond) {
+  steering.setSpeed(mavmission::MetresPerSecond(metresPerSecond));
+  return *this;
+}
+
+Aircraft& Aircraft::pause() {
+  steering.pause();
+  return *this;
+}
+
+Aircraft& Aircraft::resume() {
+  steering.resume();
+  return *this;
+}
+
+Aircraft& Aircraft::returnHome() {
+  steering.returnHome();
+  return *this;
+}
+
+Aircraft& Aircraft::landNow() {
+  steering.landNow();
+  return *this;
+}
+
+std::string Aircraft::how(uint32_t limitMs) {
+  static const char* const kSteps[] = {"None", "AskLanded", "AskHome", "AskPosition", "Mode",
+                                       "Arm",  "Command",   "Confirm", "Disarm",      "GiveBack"};
+  const std::string ends = status(limitMs);
+  return ends + " at " + kSteps[static_cast<uint8_t>(steering.step())] + ": " + said();
+}
+
+std::string Aircraft::status(uint32_t limitMs) { return nameOf(end(limitMs)); }
+
+Aircraft& Aircraft::done() {
+  if (end() != mavmission::Status::Done) throw std::runtime_error(std::string("not done: ") + nameOf(ended));
+  return *this;
+}
+
+uint32_t Aircraft::times(const std::string& words) const {
+  uint32_t found = 0;
+  for (const std::string& one : said_) found += one.compare(0, words.size(), words) == 0;
+  return found;
+}
+
 void Aircraft::forget() {
   sent.clear();
   said_.clear();
@@ -33,37 +117,15 @@ void Aircraft::forget() {
   ended = mavmission::Status::Idle;
 }
 
-void Aircraft::pass(uint32_t ms) {
-  for (; ms != 0; --ms) one();
-}
-
-mavmission::Status Aircraft::end(uint32_t limitMs) {
-  ended = mavmission::Status::Idle;
-  beganMs = nowMs();
-  for (; limitMs != 0; --limitMs) {
-    one();
-    if (ended != mavmission::Status::Idle) break;
-  }
-  tookMs = nowMs() - beganMs;
-  return ended;
-}
-
 bool Aircraft::passUntil(uint16_t command, uint32_t limitMs) {
-  for (const size_t before = said_.size(); limitMs != 0; --limitMs) {
+  const std::string number = std::to_string(command) + " ";
+  for (size_t next = said_.size(); limitMs != 0; --limitMs) {
     one();
-    for (size_t i = before; i < said_.size(); ++i) {
-      if (atoiOf(said_[i]) == command) return true;
+    for (; next < said_.size(); ++next) {
+      if (said_[next].compare(1, number.size(), number) == 0) return true;
     }
   }
   return false;
-}
-
-std::string Aircraft::said() {
-  std::string text;
-  for (const std::string& one : said_) text += (text.empty() ? "" : ", ") + one;
-  said_.clear();
-  saidMs.clear();
-  return text;
 }
 
 void Aircraft::beat() {
@@ -167,13 +229,8 @@ void Aircraft::react(const SentFrame& frame) {
     in(25, Beat);
     return;
   }
-  said_.push_back(text);
-  saidMs.push_back(nowMs());
-  int result = gives.count(command) != 0 ? gives[command] : 0;
-  if (once.count(command) != 0) {
-    result = once[command];
-    once.erase(command);
-  }
+  say(text);
+  const int result = resultOf(command);
   if (result == kUnheard) return;
   if (result == 0 || result == kSilent) carryOut(command, param);
   if (result >= 0) in(30, Answer, command, static_cast<uint8_t>(result));

@@ -6,10 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include <map>
-#include <string>
-
-#include "ClientOnLine.h"
+#include "AnsweringPeer.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 namespace steered {
@@ -29,10 +26,12 @@ enum : uint32_t {
   kPx4Offboard = ofPx4(6, 0)
 };
 enum : uint8_t { kStandby = 3, kActive = 4, kCritical = 5, kEmergency = 6 };
-// What becomes of a command beside its result.
-enum : int { kSilent = -1, kUnheard = -2 };  // carried out without an answer; not even that
+constexpr int kSilent = AnsweringPeer::kSilent, kUnheard = AnsweringPeer::kUnheard;
 
-class Aircraft : public ClientOnLine {
+const mavmission::LatLon kThere = {mavmission::Degrees::fromE7(-353630000), mavmission::Degrees::fromE7(1491652374)};
+constexpr char kDisarm[] = "L400 0 0 0 0 0 0 0";
+
+class Aircraft : public AnsweringPeer {
  public:
   mavmission::Steering steering;
 
@@ -45,36 +44,49 @@ class Aircraft : public ClientOnLine {
   mavmission::LatLon here = {mavmission::Degrees::fromE7(-353632621), mavmission::Degrees::fromE7(1491652374)};
   int32_t seaMm = 584000, homeMm = 0;
   bool hasHome = true, hasPosition = true, hasLanded = true, beatsWhenAsked = true, beatsBySecond = true;
-  bool takesOff = true;      // when it is told to
-  std::map<int, int> gives;  // by command: its result, or what becomes of it
-  std::map<int, int> once;   // the same for the next one alone
+  bool takesOff = true;  // when it is told to
 
   explicit Aircraft(uint8_t autopilot, uint8_t vehicleType = 2);
-
-  virtual ~Aircraft() = default;
 
   // What else loop() does, before the client's update().
   virtual void loop() {}
 
-  // On the ground, and found.
+  // What happens, one behind the other. On the ground, and found...
   Aircraft& stand(uint32_t inMode);
+  Aircraft& stand() { return stand(isPx4_ ? uint32_t{kPx4Mission} : uint32_t{kStabilize}); }
   // In the air, in this mode, and seen disarmed before.
   Aircraft& fly(uint32_t inMode);
+  Aircraft& inMission() { return fly(isPx4_ ? uint32_t{kPx4Mission} : type == 10 ? uint32_t{kRoverAuto} : kAuto); }
+  Aircraft& wait(uint32_t ms);
+  Aircraft& until(uint16_t command);  // has been sent
+  Aircraft& answering(uint16_t command, int result = AnsweringPeer::kUnheard);
+  Aircraft& silence(bool isSilent = true);  // no heartbeat comes
+  Aircraft& atHeight(int32_t aboveHomeMm);  // it tells
+  // The orders of the sketch.
+  Aircraft& takeOff(mavmission::Metres height = mavmission::Metres(20));
+  Aircraft& goTo(mavmission::Altitude altitude = mavmission::Metres(20));  // to kThere
+  Aircraft& goTo(const mavmission::LatLon& place, mavmission::Altitude altitude);
+  Aircraft& setSpeed(float metresPerSecond);
+  Aircraft& pause();
+  Aircraft& resume();
+  Aircraft& returnHome();
+  Aircraft& landNow();
+  // How the order ends, in which step, and what was sent.
+  std::string how(uint32_t limitMs = 60000);
+  // The same in a line that is no more than its status.
+  std::string status(uint32_t limitMs = 60000);
+  // It has to be done.
+  Aircraft& done();
+  // How often a command that begins so was sent since the last said().
+  uint32_t times(const std::string& words) const;
 
   void forget();
 
-  // As loop() does.
-  void pass(uint32_t ms);
-  // Until the operation has ended; with what.
-  mavmission::Status end(uint32_t limitMs = 60000);
   // Until this command has been sent; false if it is not.
   bool passUntil(uint16_t command, uint32_t limitMs = 20000);
+  using AnsweringPeer::passUntil;
 
-  // What was sent since the last call, without the heartbeats that were asked for.
-  std::string said();
-  std::vector<uint32_t> saidMs;  // when
-  uint32_t asks = 0;             // for heartbeats
-  uint32_t beganMs = 0, tookMs = 0;
+  uint32_t asks = 0;  // for heartbeats, which are not said
 
   void beat();
   // Its mode becomes this one, and a heartbeat shows it.
@@ -98,9 +110,7 @@ class Aircraft : public ClientOnLine {
     uint8_t result;
   };
 
-  static int atoiOf(const std::string& text) { return static_cast<int>(strtol(text.c_str() + 1, nullptr, 10)); }
-
-  void one();
+  void one() override;
   void in(uint32_t ms, What what, uint16_t command = 0, uint8_t result = 0);
 
   void react(const SentFrame& frame);
@@ -110,7 +120,6 @@ class Aircraft : public ClientOnLine {
   bool isPx4_;
   bool positions_ = false;
   std::multimap<uint32_t, Due> due_;
-  std::vector<std::string> said_;
 };
 
 }  // namespace steered

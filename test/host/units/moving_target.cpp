@@ -17,6 +17,9 @@ constexpr uint16_t kTarget = 86;
 constexpr LatLon kPlace = {-35.3630000_deg, 149.1652374_deg};
 constexpr LatLon kOther = {-35.3620000_deg, 149.1650000_deg};
 constexpr uint8_t kFirmwares[] = {ClientOnLine::kArduPilot, ClientOnLine::kPx4};
+// What a copter is told that is to stay where it is.
+const char kHold[] = "I192 frame 6 -1 0 0 nan -353632621 1491652374 0";
+const MissionItem kPlan[] = {waypoint(1_deg, 2_deg, 3_m)};
 
 typedef mavlink_set_position_target_global_int_t Message;
 
@@ -28,37 +31,99 @@ struct Follower : Aircraft {
   LatLon place = kPlace;
   Altitude altitude = 20_m;
   Status renewed = Status::Idle;
-  std::vector<Status> ends;  // what update() has returned beside Transferring and Idle
+  std::string ends;  // what update() has returned beside Transferring and Idle
 
-  explicit Follower(uint8_t firmware, uint8_t vehicleType = 2)
+  explicit Follower(uint8_t firmware = kArduPilot, uint8_t vehicleType = 2)
       : Aircraft(firmware, vehicleType), target(steering), firmware_(firmware) {}
-  Follower& inMission() {
-    fly(type == 10 ? uint32_t{kRoverAuto} : isPx4() ? uint32_t{kPx4Mission} : uint32_t{kAuto});
-    return *this;
-  }
   bool isPx4() const { return firmware_ == kPx4; }
 
   void loop() override {
     if (isStuck) return;
     const Status status = target.update();
-    if (status != Status::Transferring && status != Status::Idle) ends.push_back(status);
+    if (status != Status::Transferring && status != Status::Idle) {
+      ends += std::string(ends.empty() ? "" : " ") + nameOf(status);
+    }
     if (renews && nowMs() % 50 == 0) renewed = target.renew(place, altitude);
   }
 
-  // Until it is followed.
-  Follower& follow(Altitude height = 20_m) {
-    inMission();
-    altitude = height;
-    CHECK((target.start(place, altitude) == Status::WaitingForAutopilot));
-    REQUIRE((end(20000) == Status::Done));
-    REQUIRE(target.isFollowed());
+  // What happens, one behind the other.
+  Follower& inMission() {
+    fly(type == 10 ? uint32_t{kRoverAuto} : isPx4() ? uint32_t{kPx4Mission} : uint32_t{kAuto});
     return *this;
   }
-  // When the targets left [ms, since `from`]. One that was spoilt while it left is none.
-  std::vector<uint32_t> times(uint32_t from) const {
-    std::vector<uint32_t> found;
+  Follower& start(Altitude height = 20_m) {
+    altitude = height;
+    CHECK((target.start(place, altitude) == Status::WaitingForAutopilot));
+    return *this;
+  }
+  // Until it is followed, and for so long.
+  Follower& follow(Altitude height = 20_m, uint32_t ms = 0) {
+    inMission().start(height);
+    REQUIRE((end(20000) == Status::Done));
+    REQUIRE(target.isFollowed());
+    if (ms != 0) wait(ms).said();
+    return *this;
+  }
+  Follower& wait(uint32_t ms) {
+    pass(ms);
+    return *this;
+  }
+  Follower& upTo(uint32_t ms) {
+    while (nowMs() != ms) pass(1);
+    return *this;
+  }
+  Follower& answering(uint16_t command, int result = kUnheard) {
+    gives[command] = result;
+    return *this;
+  }
+  Follower& until(uint16_t command) {
+    REQUIRE(passUntil(command));
+    return *this;
+  }
+  // The aircraft says nothing any more, or again.
+  Follower& silence(bool isSilent = true) {
+    beatsBySecond = beatsWhenAsked = hasPosition = !isSilent;
+    return *this;
+  }
+  Follower& stop() {
+    target.stop();
+    return *this;
+  }
+  // loop() stands still.
+  Follower& standStill(uint32_t ms) {
+    run(ms, ms);
+    return *this;
+  }
+  // It hears another operation, which keeps the client busy.
+  Follower& beginUpload() {
+    client.allowWhileArmed(true);
+    client.upload(inRam(kPlan));
+    REQUIRE(client.isBusy());
+    return *this;
+  }
+
+  // How an operation ends, then what update() has returned of the following, and what the aircraft was told.
+  std::string how(uint32_t limitMs = 60000) {
+    const std::string status = nameOf(end(limitMs));
+    pass(2);
+    return status + ", " + told() + ": " + said();
+  }
+  // The ends of the following since the last call; the last of them is its status.
+  std::string told() {
+    const std::string text = ends.empty() ? "goes on" : ends;
+    CHECK((ends.empty() || ends.substr(ends.rfind(' ') + 1) == nameOf(target.status())));
+    ends.clear();
+    return text;
+  }
+
+  // The targets that have left. One that was spoilt while it left is none.
+  std::vector<Message> messages() const {
+    std::vector<Message> found;
     for (const SentFrame& frame : sent) {
-      if (isTarget(frame)) found.push_back(frame.atMs - from);
+      if (!isTarget(frame)) continue;
+      Message message;
+      memcpy(&message, frame.payload.data(), sizeof(message));
+      found.push_back(message);
     }
     return found;
   }
@@ -71,23 +136,20 @@ struct Follower : Aircraft {
     const size_t end = frame.frame.size();
     return frame.frame[end - 2] == static_cast<uint8_t>(crc) && frame.frame[end - 1] == crc >> 8;
   }
-  std::vector<Message> messages() const {
-    std::vector<Message> found;
+  // When they left, and when loop() gave them, as they say themselves [ms, since `from`].
+  std::vector<uint32_t> times(uint32_t from) const {
+    std::vector<uint32_t> found;
     for (const SentFrame& frame : sent) {
-      if (!isTarget(frame)) continue;
-      Message message;
-      memcpy(&message, frame.payload.data(), sizeof(message));
-      found.push_back(message);
+      if (isTarget(frame)) found.push_back(frame.atMs - from);
     }
     return found;
   }
-  // When loop() gave them [ms, since `from`], as they say themselves.
-  std::vector<uint32_t> given(uint32_t from) const {
+  std::vector<uint32_t> given(uint32_t from = 0) const {
     std::vector<uint32_t> found;
     for (const Message& message : messages()) found.push_back(message.time_boot_ms - from);
     return found;
   }
-  // The last target as "latitude longitude altitude frame"; "" if none was sent.
+  // The last one as "latitude longitude altitude frame"; "" if none was sent.
   std::string last() const {
     const std::vector<Message> all = messages();
     if (all.empty()) return "";
@@ -97,12 +159,6 @@ struct Follower : Aircraft {
              int{message.coordinate_frame});
     return text;
   }
-  // The ends since the last call.
-  bool ended(Status status) {
-    const bool isSo = ends.size() == 1 && ends[0] == status && target.status() == status;
-    ends.clear();
-    return isSo;
-  }
 
  private:
   uint8_t firmware_;
@@ -111,7 +167,7 @@ struct Follower : Aircraft {
 }  // namespace
 
 TEST_CASE("a copter that is followed gets its place five times a second, with every field") {
-  Follower copter(ClientOnLine::kArduPilot);
+  Follower copter;
   CHECK((copter.target.status() == Status::Idle));
   copter.follow();
   CHECK(copter.said() == "L511 33 500000 0 0 0 0 0, L176 1 4 0 0 0 0 0");
@@ -130,46 +186,38 @@ TEST_CASE("a copter that is followed gets its place five times a second, with ev
   const Message message = copter.messages()[9];
   CHECK(uint32_t{message.time_boot_ms} >= beganMs + times[9] - 3);
   CHECK(uint32_t{message.time_boot_ms} < beganMs + times[9]);
-  CHECK(uint8_t{message.target_system} == 1);
-  CHECK(uint8_t{message.target_component} == 1);
-  CHECK(int32_t{message.lat_int} == -353630000);
-  CHECK(int32_t{message.lon_int} == 1491652374);
-  CHECK(float{message.alt} == 20.0f);
-  CHECK(uint8_t{message.coordinate_frame} == 6);
-  CHECK(uint16_t{message.type_mask} == 0x0DF8);
-  for (float rest : {float{message.vx}, float{message.vy}, float{message.vz}, float{message.afx}, float{message.afy},
-                     float{message.afz}, float{message.yaw}, float{message.yaw_rate}})
-    CHECK(rest == 0.0f);
+  Message expected = Message();
+  expected.time_boot_ms = message.time_boot_ms;
+  expected.target_system = expected.target_component = 1;
+  expected.lat_int = -353630000;
+  expected.lon_int = 1491652374;
+  expected.alt = 20.0f;
+  expected.coordinate_frame = 6;
+  expected.type_mask = 0x0DF8;
+  CHECK(memcmp(&message, &expected, sizeof(message)) == 0);
   copter.place = kOther;
   copter.altitude = 25.5_m;
   copter.pass(260);
   CHECK(copter.last() == "-353620000 1491650000 25.5 6");
   CHECK(copter.said() == "");
-  CHECK(copter.ends.empty());
+  CHECK(copter.told() == "goes on");
 }
 
-TEST_CASE("an altitude is above the sea, above the ground, or above home as the sketch says") {
-  Follower sea(ClientOnLine::kArduPilot);
-  sea.follow(aboveSeaLevel(620.25_m));
-  sea.pass(10);
-  CHECK(sea.last() == "-353630000 1491652374 620.25 5");
-  Follower ground(ClientOnLine::kArduPilot);
-  ground.follow(aboveTerrain(-3_m));
-  ground.pass(10);
-  CHECK(ground.last() == "-353630000 1491652374 -3 11");
-  Follower px4(ClientOnLine::kPx4);
-  px4.follow(aboveSeaLevel(620.25_m));
-  px4.pass(10);
-  CHECK(px4.last() == "-353630000 1491652374 620.25 5");
+TEST_CASE("an altitude is above the sea, above the ground, or above home as the sketch says, for a rover too") {
+  CHECK(Follower().follow(aboveSeaLevel(620.25_m)).wait(10).last() == "-353630000 1491652374 620.25 5");
+  CHECK(Follower().follow(aboveTerrain(-3_m)).wait(10).last() == "-353630000 1491652374 -3 11");
+  CHECK(Follower(ClientOnLine::kPx4).follow(aboveSeaLevel(620.25_m)).wait(10).last() ==
+        "-353630000 1491652374 620.25 5");
+  Follower rover(ClientOnLine::kArduPilot, 10);
+  CHECK(rover.follow().wait(10).last() == "-353630000 1491652374 20 6");
+  CHECK(rover.said() == "L511 33 500000 0 0 0 0 0, L176 1 15 0 0 0 0 0");
 }
 
 TEST_CASE("PX4 gets a second of targets, then its mode, and each height above home as one above the sea") {
   Follower px4(ClientOnLine::kPx4);
-  px4.inMission();
   px4.homeMm = 5000;
   px4.seaMm = 604000;
-  px4.target.start(kPlace, 20_m);
-  REQUIRE(px4.passUntil(176));
+  px4.inMission().start().until(176);
   CHECK(px4.said() == "L512 245 0 0 0 0 0 0, L512 242 0 0 0 0 0 0, L511 33 500000 0 0 0 0 0, L176 1 6 0 0 0 0 0");
   const std::vector<uint32_t> times = px4.times(0);
   REQUIRE(times.size() == 6);
@@ -179,73 +227,77 @@ TEST_CASE("PX4 gets a second of targets, then its mode, and each height above ho
   CHECK(px4.last() == "-353630000 1491652374 619 5");
   CHECK((px4.end() == Status::Done));
   px4.homeMm = 6000;  // home has been set elsewhere
-  px4.pass(800);
-  CHECK(px4.last() == "-353630000 1491652374 618 5");
-}
-
-TEST_CASE("a rover is followed like a copter, and a plane not at all") {
-  Follower rover(ClientOnLine::kArduPilot, 10);
-  rover.follow();
-  CHECK(rover.said() == "L511 33 500000 0 0 0 0 0, L176 1 15 0 0 0 0 0");
-  rover.pass(10);
-  CHECK(rover.last() == "-353630000 1491652374 20 6");
-  Follower plane(ClientOnLine::kArduPilot, 1);
-  plane.fly(kPlaneAuto);
-  plane.target.start(kPlace, 20_m);
-  CHECK((plane.end(1000) == Status::CommandUnsupported));
-  plane.pass(2);
-  CHECK(plane.ended(Status::CommandUnsupported));
-  CHECK(plane.said() == "");
+  CHECK(px4.wait(800).last() == "-353630000 1491652374 618 5");
 }
 
 TEST_CASE("what is refused by goTo() is refused by start(), and told by update() too") {
   const struct {
+    uint8_t type;
+    uint32_t mode;
     LatLon place;
     Altitude altitude;
     Status status;
-  } kCases[] = {{{0_deg, 0_deg}, 20_m, Status::NeedsCoordinates},
-                {kPlace, 10001_m, Status::BadAltitude},
-                {kPlace, Altitude(20_m, CoordinateFrame::Mission), Status::BadFrame}};
+  } kCases[] = {
+      {2, kAuto, {0_deg, 0_deg}, 20_m, Status::NeedsCoordinates},
+      {2, kAuto, kPlace, 10001_m, Status::BadAltitude},
+      {2, kAuto, kPlace, Altitude(20_m, CoordinateFrame::Mission), Status::BadFrame},
+      {2, kLoiter, kPlace, 20_m, Status::PilotHasIt},
+      {1, kPlaneAuto, kPlace, 20_m, Status::CommandUnsupported},  // a plane is not followed at all
+  };
   for (const auto& one : kCases) {
-    Follower copter(ClientOnLine::kArduPilot);
-    copter.inMission();
-    copter.renews = false;
-    copter.target.start(one.place, one.altitude);
-    CHECK((copter.end(1000) == one.status));
-    CHECK((copter.target.status() == one.status));  // before update() has told it
-    copter.pass(2);
-    CHECK(copter.ended(one.status));
-    CHECK(copter.said() == "");
-    CHECK_FALSE(copter.target.isFollowed());
+    Follower aircraft(ClientOnLine::kArduPilot, one.type);
+    aircraft.fly(one.mode);
+    aircraft.renews = false;
+    aircraft.target.start(one.place, one.altitude);
+    CHECK((aircraft.end(1000) == one.status));
+    CHECK((aircraft.target.status() == one.status));  // before update() has told it
+    CHECK(aircraft.wait(2).told() == Follower::nameOf(one.status));
+    CHECK(aircraft.said() == "");
+    CHECK_FALSE(aircraft.target.isFollowed());
+    CHECK((aircraft.target.renew(kPlace, 20_m) == one.status));
   }
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.fly(kLoiter);
-  copter.target.start(kPlace, 20_m);
-  CHECK((copter.end(1000) == Status::PilotHasIt));
-  copter.pass(2);
-  CHECK(copter.ended(Status::PilotHasIt));
-  CHECK((copter.target.renew(kPlace, 20_m) == Status::PilotHasIt));
+  Follower silent;  // it is not heard
+  silent.beatsBySecond = false;
+  silent.client.setAutopilotTimeout(3);
+  CHECK(silent.start().how(5000) == "NoAutopilot, NoAutopilot: ");
+  Follower rover(ClientOnLine::kArduPilot, 10);  // it does not say what it is
+  rover.saysVehicle = false;
+  CHECK((rover.answering(3000).inMission().start().end(20000) == Status::NoAnswer));
+  CHECK((rover.target.status() == Status::NoAnswer));
 }
 
-TEST_CASE("only one begins at a time") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.steering.setSpeed(5_mps);
+TEST_CASE("only one begins at a time, and again when it has ended") {
+  Follower copter;
+  copter.inMission().steering.setSpeed(5_mps);
   CHECK((copter.target.start(kPlace, 20_m) == Status::Busy));
   CHECK((copter.target.status() == Status::Idle));
   REQUIRE((copter.end() == Status::Done));
-  CHECK((copter.target.start(kPlace, 20_m) == Status::WaitingForAutopilot));
+  copter.start();
   CHECK((copter.target.start(kOther, 30_m) == Status::Busy));
   REQUIRE((copter.end() == Status::Done));
   CHECK((copter.target.start(kOther, 30_m) == Status::Busy));
-  copter.pass(300);
-  CHECK(copter.last() == "-353630000 1491652374 20 6");
+  CHECK(copter.wait(1000).last() == "-353630000 1491652374 20 6");
+  copter.said();
+  CHECK(copter.stop().how() == std::string("Done, Done: ") + kHold);
+  copter.place = kOther;
+  CHECK((copter.start(aboveSeaLevel(620_m)).end() == Status::Done));
+  CHECK(copter.target.isFollowed());
+  CHECK(copter.wait(10).last() == "-353620000 1491650000 620 5");
+}
+
+TEST_CASE("an end that was not told yet is not that of the next start()") {
+  Follower copter;
+  copter.inMission().renews = false;
+  copter.target.start({0_deg, 0_deg}, 20_m);
+  REQUIRE((copter.end(1000) == Status::NeedsCoordinates));
+  copter.renews = true;
+  CHECK(copter.start().wait(10).told() == "goes on");
+  CHECK((copter.end() == Status::Done));
 }
 
 TEST_CASE("a renewal with a number that cannot be meant does not count, and names its field") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.renews = false;
+  Follower copter;
+  copter.follow().renews = false;
   copter.pass(900);
   const float nan = __builtin_nanf("");
   const struct {
@@ -263,8 +315,7 @@ TEST_CASE("a renewal with a number that cannot be meant does not count, and name
     CHECK((copter.client.differingField() == one.field));
   }
   CHECK((copter.target.renew(kOther, Altitude(21_m, CoordinateFrame::GlobalRelativeInt)) == Status::Transferring));
-  copter.pass(205);
-  CHECK(copter.last() == "-353620000 1491650000 21 6");
+  CHECK(copter.wait(205).last() == "-353620000 1491650000 21 6");
   CHECK((copter.target.renew(kPlace, 10001_m) == Status::BadAltitude));
   copter.pass(1000);
   CHECK((copter.target.renew(kPlace, 20_m) == Status::NotRenewed));
@@ -272,29 +323,21 @@ TEST_CASE("a renewal with a number that cannot be meant does not count, and name
 
 TEST_CASE("a copter whose target is not renewed for a second holds its position") {
   for (uint16_t timeoutMs : {0, 300}) {
-    Follower copter(ClientOnLine::kArduPilot);
+    Follower copter;
     if (timeoutMs != 0) copter.target.setTimeout(timeoutMs);
-    copter.follow();
-    const uint32_t limitMs = timeoutMs != 0 ? timeoutMs : 1000;
-    copter.pass(1000);
-    copter.renews = false;
+    copter.follow(20_m, 1000).renews = false;
+    const uint32_t limitMs = timeoutMs != 0 ? timeoutMs : 1000, renewedMs = copter.nowMs();
     REQUIRE((copter.target.renew(kPlace, 20_m) == Status::Transferring));
-    const uint32_t renewedMs = copter.nowMs();
-    copter.said();
     while (copter.target.isFollowed()) copter.pass(1);
     CHECK(copter.nowMs() - renewedMs == limitMs + 2);
     CHECK((copter.target.status() == Status::Transferring));
     CHECK((copter.target.renew(kPlace, 20_m) == Status::NotRenewed));
     const uint32_t lastMs = copter.times(0).back();
     CHECK(lastMs - renewedMs <= limitMs + 2);
-    CHECK((copter.end() == Status::Done));
-    copter.pass(2);
-    CHECK(copter.ended(Status::NotRenewed));
-    CHECK(copter.said() == "I192 frame 6 -1 0 0 nan -353632621 1491652374 0");
+    CHECK(copter.how() == std::string("Done, NotRenewed: ") + kHold);
     CHECK(copter.times(0).back() == lastMs);
     CHECK((copter.target.renew(kPlace, 20_m) == Status::NotRenewed));
-    copter.pass(3000);
-    CHECK(copter.ends.empty());
+    CHECK(copter.wait(3000).told() == "goes on");  // it is told once
     CHECK(copter.steering.maySteer());
   }
 }
@@ -302,539 +345,314 @@ TEST_CASE("a copter whose target is not renewed for a second holds its position"
 TEST_CASE("stop() makes it hold its position, and that is done") {
   for (uint8_t firmware : kFirmwares) {
     Follower aircraft(firmware);
-    aircraft.follow();
-    aircraft.pass(1000);
-    aircraft.said();
-    aircraft.target.stop();
+    aircraft.follow(20_m, 1000).stop();
     CHECK((aircraft.target.renew(kPlace, 20_m) == Status::Cancelled));
-    aircraft.pass(1);
-    CHECK_FALSE(aircraft.target.isFollowed());
+    CHECK_FALSE(aircraft.wait(1).target.isFollowed());
     CHECK((aircraft.target.renew(kPlace, 20_m) == Status::Done));
-    CHECK((aircraft.end() == Status::Done));
-    aircraft.pass(2);
-    CHECK(aircraft.ended(Status::Done));
+    const std::string how = aircraft.how();
     CHECK((aircraft.target.renew(kPlace, 20_m) == Status::Done));
-    const std::string words = aircraft.said();
     if (firmware == ClientOnLine::kPx4) {
-      CHECK(words.find("L512 245 0 0 0 0 0 0") == 0);
-      CHECK(words.find(", L192 -1 1 0 nan nan nan nan") == words.size() - 29);
+      CHECK(how.find("Done, Done: L512 245 0 0 0 0 0 0") == 0);
+      CHECK(how.find(", L192 -1 1 0 nan nan nan nan") == how.size() - 29);
     } else {
-      CHECK(words == "I192 frame 6 -1 0 0 nan -353632621 1491652374 0");
+      CHECK(how == std::string("Done, Done: ") + kHold);
     }
   }
 }
 
-TEST_CASE("a start() that is stopped, or not renewed, before the mode was ordered is given up") {
+TEST_CASE("a start() that is stopped, not renewed, or cancelled before it is followed is given up: nothing holds it") {
   for (uint8_t firmware : kFirmwares) {
     for (bool isStopped : {false, true}) {
       Follower aircraft(firmware);
-      aircraft.inMission();
-      aircraft.gives[511] = kUnheard;
-      aircraft.renews = false;
-      aircraft.target.start(kPlace, 20_m);
-      aircraft.pass(500);
-      CHECK(aircraft.client.isBusy());
-      if (isStopped) aircraft.target.stop();
+      aircraft.answering(511).inMission().renews = false;
+      CHECK(aircraft.start().wait(500).client.isBusy());
+      if (isStopped) aircraft.stop();
       aircraft.end(1000);
-      aircraft.pass(2);
-      CHECK(aircraft.ended(isStopped ? Status::Cancelled : Status::NotRenewed));
+      CHECK(aircraft.wait(2).told() == (isStopped ? "Cancelled" : "NotRenewed"));
       CHECK(aircraft.tookMs <= (isStopped ? 5 : 505));
       CHECK(aircraft.messages().empty());
     }
   }
-}
-
-TEST_CASE("cancel() of a start() ends it, and nothing holds the aircraft") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.target.start(kPlace, 20_m);
-  REQUIRE(copter.passUntil(176));
-  copter.client.cancel();
-  copter.pass(3000);
-  CHECK(copter.ended(Status::Cancelled));
+  Follower copter;
+  copter.inMission().start().until(176).client.cancel();
+  CHECK(copter.wait(3000).told() == "Cancelled");
   CHECK(copter.said() == "L511 33 500000 0 0 0 0 0, L176 1 4 0 0 0 0 0");
   CHECK(copter.messages().empty());
-}
-
-TEST_CASE("an aircraft that is not heard is not started") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.beatsBySecond = false;
-  copter.client.setAutopilotTimeout(3);
-  copter.target.start(kPlace, 20_m);
-  CHECK((copter.end(5000) == Status::NoAutopilot));
-  copter.pass(2);
-  CHECK(copter.ended(Status::NoAutopilot));
+  Follower other;  // it is cancelled for another operation
+  other.inMission().start().until(511).client.cancel();
+  other.steering.setSpeed(5_mps);
+  CHECK(other.wait(2).told() == "Cancelled");
 }
 
 TEST_CASE("a heartbeat with another mode, a failsafe, or no arms ends the following at once, and says who has it") {
-  for (uint8_t firmware : kFirmwares) {
-    const bool isPx4 = firmware == ClientOnLine::kPx4;
-    for (int what = 0; what < 5; ++what) {
-      CAPTURE(firmware);
-      CAPTURE(what);
-      Follower aircraft(firmware);
-      aircraft.follow();
-      aircraft.pass(1000);
-      aircraft.said();
-      Status expected = Status::PilotHasIt;
-      uint32_t mode = isPx4 ? uint32_t{kPx4Position} : uint32_t{kLoiter};
-      if (what == 1) {
-        mode = isPx4 ? uint32_t{kPx4Rtl} : uint32_t{kRtl};
-        expected = Status::FailsafeHasIt;
-      }
-      if (what == 2) {
-        aircraft.isArmed = false;
-        mode = aircraft.mode;
-        expected = Status::NotArmed;
-      }
-      if (what == 3) {
-        aircraft.state = kCritical;
-        mode = aircraft.mode;
-        expected = isPx4 ? Status::FailsafeHasIt : Status::Transferring;
-      }
-      if (what == 4) mode = isPx4 ? uint32_t{kPx4Mission} : uint32_t{kAuto};  // somebody goes on with the mission
-      aircraft.show(mode);
-      aircraft.pass(4);
-      aircraft.sent.clear();
-      if (expected == Status::Transferring) {
-        CHECK(aircraft.target.isFollowed());
-        continue;
-      }
-      CHECK(aircraft.ended(expected));
-      CHECK_FALSE(aircraft.target.isFollowed());
-      CHECK((aircraft.target.renew(kPlace, 20_m) == expected));
-      aircraft.pass(3000);
-      CHECK(aircraft.messages().empty());
-      CHECK(aircraft.said() == "");
-      CHECK(aircraft.ends.empty());
-    }
+  const struct {
+    uint8_t firmware;
+    uint32_t mode;  // that is shown
+    bool isArmed;
+    uint8_t state;
+    Status status;  // Transferring: it is followed
+  } kCases[] = {
+      {ClientOnLine::kArduPilot, kLoiter, true, kActive, Status::PilotHasIt},
+      {ClientOnLine::kArduPilot, kRtl, true, kActive, Status::FailsafeHasIt},
+      {ClientOnLine::kArduPilot, kGuided, false, kActive, Status::NotArmed},
+      {ClientOnLine::kArduPilot, kGuided, true, kCritical, Status::Transferring},
+      {ClientOnLine::kArduPilot, kAuto, true, kActive, Status::PilotHasIt},  // somebody goes on with the mission
+      {ClientOnLine::kPx4, kPx4Position, true, kActive, Status::PilotHasIt},
+      {ClientOnLine::kPx4, kPx4Rtl, true, kActive, Status::FailsafeHasIt},
+      {ClientOnLine::kPx4, kPx4Offboard, false, kActive, Status::NotArmed},
+      {ClientOnLine::kPx4, kPx4Offboard, true, kCritical, Status::FailsafeHasIt},
+      {ClientOnLine::kPx4, kPx4Mission, true, kActive, Status::PilotHasIt},
+  };
+  for (const auto& one : kCases) {
+    CAPTURE(one.firmware);
+    CAPTURE(one.mode);
+    Follower aircraft(one.firmware);
+    aircraft.follow(20_m, 1000);
+    aircraft.isArmed = one.isArmed;
+    aircraft.state = one.state;
+    aircraft.show(one.mode);
+    aircraft.wait(4).sent.clear();
+    const bool isFollowed = one.status == Status::Transferring;
+    CHECK(aircraft.target.isFollowed() == isFollowed);
+    CHECK(aircraft.told() == (isFollowed ? "goes on" : Follower::nameOf(one.status)));
+    CHECK((aircraft.target.renew(kPlace, 20_m) == one.status));
+    CHECK(aircraft.wait(3000).messages().empty() != isFollowed);
+    CHECK(aircraft.said() == "");
+    CHECK(aircraft.told() == "goes on");
   }
+  // What loop() hears last decides: a stop() behind a pilot's heartbeat is the pilot's.
+  Follower copter;
+  copter.follow(20_m, 1000).mode = kLoiter;
+  copter.beat();
+  copter.run(3);
+  CHECK((copter.stop().target.update() == Status::PilotHasIt));
 }
 
 TEST_CASE("another order of the sketch ends the following, and a speed does not") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.steering.setSpeed(5_mps);
+  Follower copter;
+  copter.follow(20_m, 1000).steering.setSpeed(5_mps);
   REQUIRE((copter.end() == Status::Done));
   CHECK(copter.target.isFollowed());
   copter.said();
   copter.steering.goTo(kOther, 30_m);
-  copter.pass(2);
-  CHECK_FALSE(copter.target.isFollowed());
+  CHECK_FALSE(copter.wait(2).target.isFollowed());
   CHECK((copter.target.renew(kPlace, 20_m) == Status::Cancelled));
-  CHECK((copter.end() == Status::Done));
-  copter.pass(10);
-  CHECK(copter.ended(Status::Cancelled));
-  CHECK(copter.said() == "I192 frame 6 -1 0 0 nan -353620000 1491650000 30");
+  CHECK(copter.how() == "Done, Cancelled: I192 frame 6 -1 0 0 nan -353620000 1491650000 30");
 }
 
 TEST_CASE("an order that leads into another mode ends with that mode, and one that fails is followed by a hold") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.steering.landNow();
-  CHECK((copter.end() == Status::Done));
-  copter.pass(10);
-  CHECK(copter.ended(Status::Cancelled));
-  Follower refused(ClientOnLine::kArduPilot);
-  refused.follow();
-  refused.pass(1000);
-  refused.said();
-  refused.gives[176] = 4;
-  refused.steering.landNow();
+  Follower copter;
+  copter.follow(20_m, 10).steering.landNow();
+  CHECK(copter.how() == "Done, Cancelled: L176 1 9 0 0 0 0 0");
+  Follower refused;
+  refused.follow(20_m, 1000).answering(176, 4).steering.landNow();
   CHECK((refused.end() == Status::CommandFailed));
-  CHECK((refused.end() == Status::Done));
-  refused.pass(2);
-  CHECK(refused.ended(Status::Cancelled));
-  CHECK(refused.said() == "L176 1 9 0 0 0 0 0, I192 frame 6 -1 0 0 nan -353632621 1491652374 0");
+  CHECK(refused.how() == std::string("Done, Cancelled: L176 1 9 0 0 0 0 0, ") + kHold);
+  // PX4 that the sketch lands gets targets until its mode has changed.
+  Follower px4(ClientOnLine::kPx4);
+  px4.follow(aboveSeaLevel(620_m), 3000).answering(176).steering.landNow();
+  px4.wait(1000).sent.clear();
+  CHECK(px4.wait(1000).messages().size() == 5);
+  CHECK(px4.last() == "-353632621 1491652374 584 5");
 }
 
 TEST_CASE("loop() that has stood still for 0.6 s sends nothing until a new heartbeat shows who has the aircraft") {
   for (uint32_t stillMs : {599, 600}) {
     CAPTURE(stillMs);
-    Follower copter(ClientOnLine::kArduPilot);
-    copter.follow();
-    copter.pass(1000);
-    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-    copter.pass(10);
-    copter.beat();  // heard when loop() goes on
+    Follower copter;
+    copter.follow(20_m, 1000).silence().wait(10).beat();  // heard when loop() goes on
     copter.asks = 0;
-    copter.run(stillMs, stillMs);
-    copter.target.renew(kPlace, 20_m);
+    copter.standStill(stillMs).target.renew(kPlace, 20_m);
     copter.sent.clear();
-    copter.pass(150);
-    CHECK(copter.messages().empty() == (stillMs == 600));
+    CHECK(copter.wait(150).messages().empty() == (stillMs == 600));
     CHECK(copter.asks == (stillMs == 600 ? 2 : 0));
     if (stillMs < 600) continue;
-    copter.pass(100);
-    copter.beat();
-    copter.pass(150);
-    CHECK_FALSE(copter.messages().empty());
+    copter.wait(100).beat();
+    CHECK_FALSE(copter.wait(150).messages().empty());
     CHECK(copter.target.isFollowed());
   }
 }
 
-TEST_CASE("a position from before a standstill is not known any more") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.homeMm = 20000;
-  copter.here = kPlace;
-  copter.steering.goTo(kPlace, 20_m);
-  REQUIRE((copter.end() == Status::Done));
-  copter.pass(600);
-  REQUIRE(copter.steering.hasArrived());
-  copter.hasPosition = false;
-  copter.run(700, 700);
-  copter.pass(1);
-  CHECK_FALSE(copter.steering.hasArrived());
+TEST_CASE("an aircraft at a place is not known to be there behind a standstill, nor when it is followed") {
+  for (bool isStill : {true, false}) {
+    Follower copter;
+    copter.inMission().homeMm = 20000;
+    copter.here = kPlace;
+    copter.steering.goTo(kPlace, 20_m);
+    REQUIRE((copter.end() == Status::Done));
+    REQUIRE(copter.wait(600).steering.hasArrived());
+    copter.said();
+    if (isStill) {
+      copter.hasPosition = false;
+      copter.standStill(700).pass(1);
+    } else {
+      REQUIRE((copter.start().end() == Status::Done));
+      CHECK(copter.said() == "");
+    }
+    CHECK_FALSE(copter.steering.hasArrived());
+    if (isStill) continue;
+    CHECK(copter.stop().wait(1000).told() == "Done");
+    CHECK(copter.said() == "I192 frame 6 -1 0 0 nan -353630000 1491652374 20");
+  }
 }
 
 TEST_CASE("a loop() that stood still until its target was old makes the aircraft hold when that is heard again") {
   for (uint32_t stillMs : {1500, 7000}) {  // in the second, the autopilot counts as lost
     CAPTURE(stillMs);
-    Follower copter(ClientOnLine::kArduPilot);
-    copter.follow();
-    copter.pass(1000);
-    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = copter.renews = false;
-    copter.run(stillMs, stillMs);
+    Follower copter;
+    copter.follow(20_m, 1000).silence().renews = false;
+    copter.standStill(stillMs);
     CHECK((copter.target.renew(kPlace, 20_m) == Status::NotRenewed));
     copter.said();
-    copter.pass(2000);
-    CHECK((copter.target.status() == Status::Transferring));
+    CHECK((copter.wait(2000).target.status() == Status::Transferring));
     CHECK_FALSE(copter.target.isFollowed());
     CHECK(copter.said() == "");
-    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = true;
-    copter.pass(5000);
-    CHECK(copter.ended(Status::NotRenewed));
-    CHECK(copter.said().find("I192 frame 6 -1 0 0 nan -353632621 1491652374 0") != std::string::npos);
+    CHECK(copter.silence(false).wait(5000).told() == "NotRenewed");
+    CHECK(copter.said().find(kHold) != std::string::npos);
   }
-  Follower lost(ClientOnLine::kArduPilot);
-  lost.follow();
-  lost.pass(1000);
-  lost.beatsBySecond = lost.beatsWhenAsked = lost.hasPosition = lost.renews = false;
-  lost.run(1500, 1500);
-  lost.pass(4990);
+  // A hold that is blind for 5 s has no autopilot any more, to the millisecond.
+  Follower lost;
+  lost.follow(20_m, 1000).silence().renews = false;
+  lost.standStill(1500).upTo(lost.nowMs() + 5000);
   CHECK((lost.target.status() == Status::Transferring));
-  lost.pass(20);
-  CHECK(lost.ended(Status::NoAutopilot));
+  CHECK(lost.told() == "goes on");
+  CHECK(lost.wait(1).told() == "NoAutopilot");
 }
 
-TEST_CASE("an autopilot that is silent while its target is renewed is lost after 5 s") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-  copter.pass(3500);
-  CHECK(copter.target.isFollowed());
-  copter.pass(2500);
-  CHECK(copter.ended(Status::NoAutopilot));
-}
+TEST_CASE("an autopilot that is silent gets its last target before 0.6 s, is asked from 0.3 s on, and lost after 5 s") {
+  Follower copter;
+  CHECK(copter.follow(20_m, 1000).silence().wait(3500).target.isFollowed());
+  CHECK(copter.wait(2500).told() == "NoAutopilot");
 
-TEST_CASE("the last target leaves before 0.6 s of silence, and a heartbeat is asked for at 0.3 s and each 0.1 s") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-  const uint32_t dueMs = copter.given(0).back() + 400;  // a target is due in this loop()
-  for (; copter.nowMs() + 1 != dueMs;) copter.pass(1);
-  copter.sent.clear();
-  copter.beat();
-  copter.pass(1000);
-  CHECK(copter.given(dueMs).back() < 600);
-  std::vector<uint32_t> asked;
-  for (const SentFrame& frame : copter.sent) {
-    if (frame.messageId == 76) asked.push_back(frame.atMs - dueMs);
-  }
-  REQUIRE(asked.size() >= 4);
-  CHECK(asked[0] == 301);
-  CHECK(asked[3] - asked[2] == 100);
-}
+  Follower due;  // a target is due in the loop() that hears its last heartbeat
+  due.follow(20_m, 1000).silence();
+  const uint32_t dueMs = due.given().back() + 400;
+  due.upTo(dueMs - 1).sent.clear();
+  due.beat();
+  CHECK(due.wait(1000).given(dueMs).back() < 600);
+  const std::vector<uint32_t> askedMs = due.timesOf(76, dueMs);
+  REQUIRE(askedMs.size() >= 4);
+  CHECK(askedMs[0] == 301);
+  CHECK(askedMs[3] - askedMs[2] == 100);
 
-TEST_CASE("where nothing is followed, no heartbeat is asked for") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.beatsBySecond = false;
-  copter.pass(2000);
-  CHECK(copter.asks == 0);
-}
-
-TEST_CASE("a target that is half sent when it is no longer true is spoilt, and stays so") {
-  for (int what = 0; what < 4; ++what) {
-    CAPTURE(what);
-    Follower copter(ClientOnLine::kArduPilot);
-    copter.follow();
-    copter.pass(1000);
-    copter.hasPosition = false;
-    const uint32_t dueMs = copter.given(0).back() + 400;
-    for (; copter.nowMs() != dueMs;) copter.pass(1);
-    copter.line.room = 20;
-    copter.pass(3);
-    copter.sent.clear();
-    if (what == 0) copter.run(700, 700);
-    if (what == 1 || what == 3) {
-      copter.mode = kLoiter;
-      if (what == 3) copter.target.stop();
-      copter.beat();
-    }
-    if (what == 2) copter.target.stop();
-    copter.pass(3);
-    copter.line.room = MemoryStream::kAlwaysRoom;
-    copter.pass(20);
-    REQUIRE_FALSE(copter.timesOf(kTarget, 0).empty());
-    CHECK_FALSE(Follower::isTarget(*std::find_if(copter.sent.begin(), copter.sent.end(),
-                                                 [](const SentFrame& frame) { return frame.messageId == kTarget; })));
-  }
-}
-
-TEST_CASE("an autopilot that is silent is asked for a heartbeat, and gets no target after 0.6 s") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(3000);
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-  copter.beat();
-  copter.pass(1);
-  const uint32_t heardMs = copter.nowMs();
-  copter.forget();
-  copter.pass(1500);
-  const std::vector<uint32_t> targets = copter.times(heardMs);
+  Follower other;
+  other.follow(20_m, 3000).silence().beat();
+  const uint32_t heardMs = other.wait(1).nowMs();
+  other.forget();
+  const std::vector<uint32_t> targets = other.wait(1500).times(heardMs), asked = other.timesOf(76, heardMs);
   REQUIRE_FALSE(targets.empty());
   CHECK(targets.back() > 400);
   CHECK(targets.back() <= 602);
-  std::vector<uint32_t> asked;
-  for (const SentFrame& frame : copter.sent) {
-    if (frame.messageId == 76) asked.push_back(frame.atMs - heardMs);
-  }
   REQUIRE(asked.size() == 12);
   for (size_t i = 0; i < asked.size(); ++i) {
     CHECK(asked[i] >= 300 + 100 * i);
     CHECK(asked[i] <= 302 + 101 * i);
   }
-  CHECK(copter.target.isFollowed());
-  copter.beat();
-  copter.pass(205);
-  CHECK(copter.times(heardMs).size() > targets.size());
+  CHECK(other.target.isFollowed());
+  other.beat();
+  CHECK(other.wait(205).times(heardMs).size() > targets.size());
+
+  Follower mission;  // where nothing is followed, no heartbeat is asked for
+  mission.inMission().beatsBySecond = false;
+  CHECK(mission.wait(2000).asks == 0);
+}
+
+TEST_CASE("a target that is half sent when it is no longer true is spoilt, and stays so") {
+  enum What { StandStill, OtherMode, Stop, StopAndOtherMode };
+  for (What what : {StandStill, OtherMode, Stop, StopAndOtherMode}) {
+    CAPTURE(int{what});
+    Follower copter;
+    copter.follow(20_m, 1000).hasPosition = false;
+    copter.upTo(copter.given().back() + 400).line.room = 20;
+    copter.wait(3).sent.clear();
+    if (what == StandStill) copter.standStill(700);
+    if (what == Stop || what == StopAndOtherMode) copter.stop();
+    if (what == OtherMode || what == StopAndOtherMode) {
+      copter.mode = kLoiter;
+      copter.beat();
+    }
+    copter.wait(3).line.room = MemoryStream::kAlwaysRoom;
+    copter.pass(20);
+    const auto first = std::find_if(copter.sent.begin(), copter.sent.end(),
+                                    [](const SentFrame& frame) { return frame.messageId == kTarget; });
+    REQUIRE(first != copter.sent.end());
+    CHECK_FALSE(Follower::isTarget(*first));
+  }
 }
 
 TEST_CASE("PX4's targets go on until its mode is HOLD, and name where it is") {
   Follower px4(ClientOnLine::kPx4);
-  px4.follow(aboveSeaLevel(620_m));
-  px4.pass(3000);
-  px4.here = kOther;
+  px4.follow(aboveSeaLevel(620_m), 3000).here = kOther;
   px4.seaMm = 600500;
-  px4.pass(600);
-  px4.gives[192] = kUnheard;
-  px4.target.stop();
-  px4.pass(1000);
-  CHECK(px4.last() == "-353620000 1491650000 600.5 5");
+  CHECK(px4.wait(600).answering(192).stop().wait(1000).last() == "-353620000 1491650000 600.5 5");
   px4.here = kPlace;  // where it was when the hold began
-  px4.pass(1000);
-  CHECK(px4.last() == "-353620000 1491650000 600.5 5");
+  CHECK(px4.wait(1000).last() == "-353620000 1491650000 600.5 5");
   px4.gives.clear();
-  CHECK((px4.end() == Status::Done));
-  px4.pass(5);
-  CHECK(px4.ended(Status::Done));
-  px4.sent.clear();
-  px4.pass(1000);
-  CHECK(px4.messages().empty());
+  CHECK(px4.how().substr(0, 10) == "Done, Done");
+  px4.wait(3).sent.clear();
+  CHECK(px4.wait(1000).messages().empty());
 }
 
-TEST_CASE("a hold that is refused is told, and one that somebody else takes over, too") {
-  Follower refused(ClientOnLine::kArduPilot);
-  refused.follow();
-  refused.pass(1000);
-  refused.gives[192] = 4;
-  refused.target.stop();
-  CHECK((refused.end() == Status::CommandFailed));
-  refused.pass(2);
-  CHECK(refused.ended(Status::CommandFailed));
-  Follower taken(ClientOnLine::kArduPilot);
-  taken.follow();
-  taken.pass(1000);
-  taken.gives[192] = kUnheard;
-  taken.target.stop();
-  REQUIRE(taken.passUntil(192));
-  taken.pass(500);
-  taken.show(kLoiter);
-  taken.pass(1000);
-  CHECK(taken.ended(Status::PilotHasIt));
-  Follower cancelled(ClientOnLine::kArduPilot);
-  cancelled.follow();
-  cancelled.pass(1000);
-  cancelled.gives[192] = kUnheard;
-  cancelled.target.stop();
-  REQUIRE(cancelled.passUntil(192));
-  cancelled.client.cancel();
-  cancelled.pass(5);
-  CHECK(cancelled.ended(Status::Cancelled));
+TEST_CASE("a hold that is refused, taken over by somebody else, or cancelled is told") {
+  Follower refused, taken, cancelled;
+  CHECK(refused.follow(20_m, 1000).answering(192, 4).stop().how() ==
+        std::string("CommandFailed, CommandFailed: ") + kHold);
+  taken.follow(20_m, 1000).answering(192).stop().until(192).wait(500).show(kLoiter);
+  CHECK(taken.wait(1000).told() == "PilotHasIt");
+  cancelled.follow(20_m, 1000).answering(192).stop().until(192).client.cancel();
+  CHECK(cancelled.wait(5).told() == "Cancelled");
 }
 
 TEST_CASE("a hold waits until the client is free, and the copter is told where to stay meanwhile") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow(aboveSeaLevel(620_m));
-  copter.pass(3000);
-  copter.client.allowWhileArmed(true);
-  static const MissionItem kPlan[] = {waypoint(1_deg, 2_deg, 3_m)};
-  copter.client.upload(inRam(kPlan));
-  REQUIRE(copter.client.isBusy());
-  copter.homeMm = 7000;
+  Follower copter;
+  copter.follow(aboveSeaLevel(620_m), 3000).beginUpload().homeMm = 7000;
   copter.tellPosition();
-  copter.pass(20);
-  copter.target.stop();
-  copter.said();
-  copter.pass(1000);
-  CHECK(copter.last() == "-353632621 1491652374 7 6");
+  copter.wait(20).stop().said();
+  CHECK(copter.wait(1000).last() == "-353632621 1491652374 7 6");
   CHECK(copter.said() == "");
   copter.client.cancel();
   copter.ends.clear();
-  CHECK((copter.end() == Status::Done));
-  copter.pass(3);
-  CHECK(copter.ended(Status::Done));
+  CHECK(copter.how().substr(0, 10) == "Done, Done");
 }
 
-TEST_CASE("an end that was not told yet is not that of the next start()") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.renews = false;
-  copter.target.start({0_deg, 0_deg}, 20_m);
-  REQUIRE((copter.end(1000) == Status::NeedsCoordinates));
-  copter.renews = true;
-  copter.target.start(kPlace, 20_m);
-  copter.pass(10);
-  CHECK(copter.ends.empty());
-  CHECK((copter.end() == Status::Done));
-}
-
-TEST_CASE("a start() that was cancelled for another operation is cancelled") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.target.start(kPlace, 20_m);
-  REQUIRE(copter.passUntil(511));
-  copter.client.cancel();
-  copter.steering.setSpeed(5_mps);
-  copter.pass(2);
-  CHECK(copter.ended(Status::Cancelled));
-}
-
-TEST_CASE("a vehicle that does not say what it is is not followed") {
-  Follower rover(ClientOnLine::kArduPilot, 10);
-  rover.saysVehicle = false;
-  rover.gives[3000] = kUnheard;
-  rover.inMission();
-  rover.target.start(kPlace, 20_m);
-  CHECK((rover.end(20000) == Status::NoAnswer));
-  CHECK((rover.target.status() == Status::NoAnswer));
+TEST_CASE("a hold aims where the aircraft was told to be within three seconds, or when that is told") {
+  for (uint32_t ms : {2900, 4200}) {
+    CAPTURE(ms);
+    Follower copter;
+    copter.follow(20_m, 3000).beginUpload().hasPosition = false;
+    copter.homeMm = 9000;
+    copter.tellPosition();
+    copter.wait(ms).stop().wait(3).sent.clear();
+    CHECK(copter.wait(220).last() == (ms == 2900 ? "-353632621 1491652374 9 6" : ""));
+  }
+  Follower px4(ClientOnLine::kPx4);
+  px4.follow(aboveSeaLevel(620_m), 1000).hasPosition = false;
+  px4.wait(5000).answering(512).stop().wait(100).sent.clear();
+  CHECK(px4.wait(500).messages().empty());
+  px4.here = kOther;
+  px4.tellPosition();
+  CHECK(px4.wait(300).last() == "-353620000 1491650000 584 5");
 }
 
 TEST_CASE("a mode that start() has undone is set again") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.target.start(kPlace, 20_m);
-  copter.gives[176] = kUnheard;
-  REQUIRE(copter.passUntil(176));
-  copter.show(kLoiter);
-  copter.pass(5);
-  copter.said();
+  Follower copter;
+  copter.inMission().start().answering(176).until(176).show(kLoiter);
+  copter.wait(5).said();
   copter.show(kGuided);
   CHECK(copter.passUntil(176, 50));
   CHECK(copter.said() == "L176 1 5 0 0 0 0 0");
   copter.show(kLoiter);
   copter.show(kLoiter);
-  copter.pass(500);
-  CHECK(copter.ended(Status::PilotHasIt));
-}
-
-TEST_CASE("an aircraft that is followed in the mode in which it was sent to a place has no place any more") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.inMission();
-  copter.homeMm = 20000;
-  copter.here = kPlace;
-  copter.steering.goTo(kPlace, 20_m);
-  REQUIRE((copter.end() == Status::Done));
-  copter.pass(600);
-  REQUIRE(copter.steering.hasArrived());
-  copter.said();
-  copter.target.start(kPlace, 20_m);
-  REQUIRE((copter.end() == Status::Done));
-  CHECK(copter.said() == "");
-  CHECK_FALSE(copter.steering.hasArrived());
-  copter.target.stop();
-  copter.pass(1000);
-  CHECK(copter.ended(Status::Done));
-  CHECK(copter.said() == "I192 frame 6 -1 0 0 nan -353630000 1491652374 20");
+  CHECK(copter.wait(500).told() == "PilotHasIt");
 }
 
 TEST_CASE("PX4's mode is ordered again when it is not answered, and its targets then name where it is") {
   Follower px4(ClientOnLine::kPx4);
-  px4.inMission();
-  px4.altitude = aboveSeaLevel(620_m);
-  px4.gives[176] = kUnheard;
-  px4.target.start(kPlace, aboveSeaLevel(620_m));
-  REQUIRE(px4.passUntil(176));
+  px4.inMission().answering(176).start(aboveSeaLevel(620_m)).until(176);
   REQUIRE(px4.passUntil(176, 1700));
   px4.renews = false;
-  px4.pass(800);
-  CHECK(px4.last() == "-353630000 1491652374 620 5");
-  px4.pass(450);
-  CHECK(px4.last() == "-353632621 1491652374 584 5");
-}
-
-TEST_CASE("PX4 that the sketch lands gets targets until its mode has changed") {
-  Follower px4(ClientOnLine::kPx4);
-  px4.follow(aboveSeaLevel(620_m));
-  px4.pass(3000);
-  px4.gives[176] = kUnheard;
-  px4.steering.landNow();
-  px4.pass(1000);
-  px4.sent.clear();
-  px4.pass(1000);
-  CHECK(px4.messages().size() == 5);
-  CHECK(px4.last() == "-353632621 1491652374 584 5");
-}
-
-TEST_CASE("a hold that does not know where the aircraft is aims when that is told") {
-  Follower px4(ClientOnLine::kPx4);
-  px4.follow(aboveSeaLevel(620_m));
-  px4.pass(1000);
-  px4.hasPosition = false;
-  px4.pass(5000);
-  px4.gives[512] = kUnheard;
-  px4.target.stop();
-  px4.pass(100);
-  px4.sent.clear();
-  px4.pass(500);
-  CHECK(px4.messages().empty());
-  px4.here = kOther;
-  px4.tellPosition();
-  px4.pass(300);
-  CHECK(px4.last() == "-353620000 1491650000 584 5");
-}
-
-TEST_CASE("what loop() hears last decides: a stop() behind a pilot's heartbeat is the pilot's") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.mode = kLoiter;
-  copter.beat();
-  copter.run(3);
-  copter.target.stop();
-  CHECK((copter.target.update() == Status::PilotHasIt));
-}
-
-TEST_CASE("it may begin again when it has ended") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.target.stop();
-  REQUIRE((copter.end() == Status::Done));
-  copter.pass(2);
-  REQUIRE(copter.ended(Status::Done));
-  copter.said();
-  CHECK((copter.target.start(kOther, aboveSeaLevel(620_m)) == Status::WaitingForAutopilot));
-  copter.place = kOther;
-  copter.altitude = aboveSeaLevel(620_m);
-  REQUIRE((copter.end() == Status::Done));
-  CHECK(copter.target.isFollowed());
-  copter.pass(10);
-  CHECK(copter.last() == "-353620000 1491650000 620 5");
+  CHECK(px4.wait(800).last() == "-353630000 1491652374 620 5");
+  CHECK(px4.wait(450).last() == "-353632621 1491652374 584 5");
 }
 
 TEST_CASE("a MovingTarget in memory that was used before begins like any other") {
@@ -842,175 +660,104 @@ TEST_CASE("a MovingTarget in memory that was used before begins like any other")
     CAPTURE(fill);
     alignas(16) static uint8_t memory[sizeof(Follower)];
     memset(memory, fill, sizeof(memory));
-    Follower& copter = *new (memory) Follower(ClientOnLine::kArduPilot);
+    Follower& copter = *new (memory) Follower;
     CHECK((copter.target.status() == Status::Idle));
     CHECK_FALSE(copter.target.isFollowed());
     CHECK((copter.target.renew(kPlace, 20_m) == Status::Idle));
-    copter.pass(2000);
-    CHECK(copter.ends.empty());
+    CHECK(copter.wait(2000).told() == "goes on");
     CHECK((copter.target.update() == Status::Idle));
-    copter.follow();
-    copter.pass(1000);
-    CHECK(copter.messages().size() == 5);
+    CHECK(copter.follow().wait(1000).messages().size() == 5);
     copter.~Follower();
   }
 }
 
 TEST_CASE("PX4's second of targets begins anew behind a gap of 0.6 s") {
   Follower px4(ClientOnLine::kPx4);
-  px4.inMission();
-  px4.altitude = aboveSeaLevel(620_m);
-  px4.target.start(kPlace, aboveSeaLevel(620_m));
-  for (int ms = 0; ms < 5000 && px4.messages().size() < 3; ++ms) px4.pass(1);
-  const uint32_t sentMs = px4.given(0).back();
+  px4.inMission().start(aboveSeaLevel(620_m));
+  while (px4.messages().size() < 3) px4.pass(1);
+  const uint32_t sentMs = px4.given().back(), updatedMs = px4.nowMs() - 1;
   REQUIRE(px4.nowMs() < sentMs + 10);
   px4.isStuck = true;
-  const uint32_t updatedMs = px4.nowMs() - 1;
-  while (px4.nowMs() != sentMs + 600) px4.pass(1);
+  px4.upTo(sentMs + 600);
   REQUIRE(px4.nowMs() - updatedMs < 600);
   px4.isStuck = false;
-  REQUIRE(px4.passUntil(176));
+  px4.until(176);
   REQUIRE(px4.given(sentMs).size() > 3);
   CHECK(px4.given(sentMs)[3] == 600);
   CHECK(px4.nowMs() >= sentMs + 1600);
 }
 
-TEST_CASE("a hold aims where the aircraft was told to be within three seconds") {
-  for (uint32_t ms : {2900, 4200}) {
-    CAPTURE(ms);
-    Follower copter(ClientOnLine::kArduPilot);
-    copter.follow();
-    copter.pass(3000);
-    copter.client.allowWhileArmed(true);
-    static const MissionItem kPlan[] = {waypoint(1_deg, 2_deg, 3_m)};
-    copter.client.upload(inRam(kPlan));
-    copter.hasPosition = false;
-    copter.homeMm = 9000;
-    copter.tellPosition();
-    copter.pass(ms);
-    copter.target.stop();
-    copter.pass(3);
-    copter.sent.clear();
-    copter.pass(220);
-    CHECK(copter.last() == (ms == 2900 ? "-353632621 1491652374 9 6" : ""));
-  }
-}
-
-TEST_CASE("a hold that is blind for 5 s has no autopilot any more, to the millisecond") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = copter.renews = false;
-  copter.run(1500, 1500);
-  const uint32_t blindMs = copter.nowMs();
-  while (copter.nowMs() != blindMs + 5000) copter.pass(1);
-  CHECK((copter.target.status() == Status::Transferring));
-  CHECK(copter.ends.empty());
-  copter.pass(1);
-  CHECK(copter.ended(Status::NoAutopilot));
-}
-
 TEST_CASE("PX4's mode is due when the first target left 1000 ms ago: then a heartbeat is asked for") {
   Follower px4(ClientOnLine::kPx4);
-  px4.inMission();
-  px4.altitude = aboveSeaLevel(620_m);
-  px4.target.start(kPlace, aboveSeaLevel(620_m));
+  px4.inMission().start(aboveSeaLevel(620_m));
   while (px4.messages().empty()) px4.pass(1);
-  const uint32_t beganMs = px4.given(0)[0];
+  const uint32_t beganMs = px4.given()[0];
   px4.beatsBySecond = px4.beatsWhenAsked = false;
-  while (px4.nowMs() != beganMs + 600) px4.pass(1);
-  px4.beat();  // so none is asked for by the target: it has heard the autopilot
-  while (px4.nowMs() != beganMs + 850) px4.pass(1);
-  px4.tellLanded();
+  px4.upTo(beganMs + 600).beat();  // so none is asked for by the target: it has heard the autopilot
+  px4.upTo(beganMs + 850).tellLanded();
   px4.asks = 0;
-  while (px4.nowMs() != beganMs + 999) px4.pass(1);
-  CHECK(px4.asks == 0);
-  px4.pass(1);
-  CHECK(px4.asks == 1);
+  CHECK(px4.upTo(beganMs + 999).asks == 0);
+  CHECK(px4.wait(1).asks == 1);
 }
 
 TEST_CASE("PX4's mode is not ordered when the last target left 600 ms ago") {
   for (uint32_t gapMs : {599, 600}) {  // it leaves in the update() behind the heartbeat
     CAPTURE(gapMs);
     Follower px4(ClientOnLine::kPx4);
-    px4.inMission();
-    px4.altitude = aboveSeaLevel(620_m);
-    px4.target.start(kPlace, aboveSeaLevel(620_m));
+    px4.inMission().start(aboveSeaLevel(620_m));
     while (px4.messages().size() < 5) px4.pass(1);
-    const uint32_t sentMs = px4.given(0).back();
     px4.beatsBySecond = px4.beatsWhenAsked = false;
     px4.isStuck = true;
     px4.said();
-    while (px4.nowMs() != sentMs + gapMs - 2) px4.pass(1);
-    CHECK(px4.said() == "");  // no heartbeat
+    CHECK(px4.upTo(px4.given().back() + gapMs - 2).said() == "");  // no heartbeat
     px4.beat();
-    px4.pass(5);
-    CHECK(px4.said() == (gapMs == 599 ? "L176 1 6 0 0 0 0 0" : ""));
+    CHECK(px4.wait(5).said() == (gapMs == 599 ? "L176 1 6 0 0 0 0 0" : ""));
   }
 }
 
 TEST_CASE("an answer to a heartbeat's request is none to the sketch's own request of a message") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(21000);  // nobody expects answers to the beginning any more
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-  copter.pass(20);
-  copter.beat();
-  copter.pass(250);
-  copter.gives[512] = kUnheard;
+  Follower copter;
+  copter.follow(20_m, 21000);  // nobody expects answers to the beginning any more
+  copter.silence().wait(20).beat();
+  copter.wait(250).answering(512);
   static const FlightCommand kOwn = flightCommand(512, 148);
   copter.client.send(kOwn);
   copter.asks = 0;
   for (int ms = 0; ms < 200 && copter.asks == 0; ++ms) copter.pass(1);
   CHECK(copter.asks == 1);
   CHECK(copter.client.isBusy());
-  copter.Aircraft::ended = Status::Idle;
+  copter.ended = Status::Idle;
   copter.answer(512, 3);
-  copter.pass(3);
-  CHECK(copter.client.isBusy());
+  CHECK(copter.wait(3).client.isBusy());
   copter.answer(512, 0);
-  copter.pass(3);
-  CHECK((copter.Aircraft::ended == Status::Done));
+  CHECK((copter.wait(3).ended == Status::Done));
 }
 
 TEST_CASE("an order that asks for a heartbeat waits 100 ms behind the target's request, too") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-  copter.beat();
+  Follower copter;
+  copter.follow(20_m, 1000).silence().beat();
   copter.asks = 0;
   while (copter.asks == 0) copter.pass(1);
-  copter.pass(50);
-  copter.steering.landNow();
-  copter.pass(60);
-  CHECK(copter.asks == 3);  // one by the order, 50 ms between two by the target
+  copter.wait(50).steering.landNow();
+  CHECK(copter.wait(60).asks == 3);  // one by the order, 50 ms between two by the target
   copter.sent.clear();
-  copter.pass(1000);
-  const std::vector<uint32_t> asked = copter.timesOf(76, 0);
+  const std::vector<uint32_t> asked = copter.wait(1000).timesOf(76, 0);
   REQUIRE(asked.size() >= 10);
   // (The client's clock is the next millisecond's here.)
   for (size_t i = 1; i < asked.size(); ++i) CHECK((asked[i] - asked[i - 1] + 1) % 100 <= 2);
 }
 
 TEST_CASE("a target that is due when nothing was heard for 600 ms is not sent") {
-  Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
-  copter.pass(1000);
-  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-  copter.gives[2500] = kUnheard;
-  const uint32_t dueMs = copter.given(0).back() + 400;
-  while (copter.nowMs() + 1 != dueMs) copter.pass(1);
-  copter.beat();
-  copter.pass(290);
-  copter.forget();
+  Follower copter;
+  copter.follow(20_m, 1000).silence().answering(2500);
+  const uint32_t dueMs = copter.given().back() + 400;
+  copter.upTo(dueMs - 1).beat();
+  copter.wait(290).forget();
   copter.line.room = 0;  // so the requests for a heartbeat are in the way of no target
   static const FlightCommand kOwn = flightCommand(2500);
   copter.client.send(kOwn);
-  copter.pass(20);
-  copter.line.room = MemoryStream::kAlwaysRoom;
+  copter.wait(20).line.room = MemoryStream::kAlwaysRoom;
   copter.pass(500);
-  REQUIRE(copter.given(dueMs).size() == 1);
-  CHECK(copter.given(dueMs)[0] == 400);
+  CHECK(copter.given(dueMs) == std::vector<uint32_t>{400});
   CHECK(copter.asks >= 4);
 }

@@ -1,119 +1,47 @@
 // VelocityTarget: which velocities each vehicle takes, what is wrong with the others, and what a rover is sent.
 #include <doctest/doctest.h>
-#include <string.h>
 
 #include <limits>
 
-#include "ClientOnLine.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "VelocityAircraft.h"
 
 using namespace mavmission;
+using namespace steered;
 
 namespace {
 
-constexpr uint16_t kCommandLong = MAVLINK_MSG_ID_COMMAND_LONG, kVelocity = MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 
 struct Kind {
   uint8_t autopilot, type;
-  uint32_t autoMode, guided;
 };
-constexpr Kind kCopter = {ClientOnLine::kArduPilot, MAV_TYPE_QUADROTOR, 3, 4};
-constexpr Kind kRover = {ClientOnLine::kArduPilot, MAV_TYPE_GROUND_ROVER, 10, 15};
-constexpr Kind kBoat = {ClientOnLine::kArduPilot, MAV_TYPE_SURFACE_BOAT, 10, 15};
-constexpr Kind kSubmarine = {ClientOnLine::kArduPilot, MAV_TYPE_SUBMARINE, 3, 4};
-constexpr Kind kPlane = {ClientOnLine::kArduPilot, MAV_TYPE_FIXED_WING, 10, 15};
-constexpr uint32_t kPx4Mission = 4ul << 24 | 4ul << 16;
-constexpr Kind kPx4Copter = {ClientOnLine::kPx4, MAV_TYPE_QUADROTOR, kPx4Mission, 6ul << 16};
-constexpr Kind kPx4Rover = {ClientOnLine::kPx4, MAV_TYPE_GROUND_ROVER, kPx4Mission, 6ul << 16};
-constexpr Kind kPx4Plane = {ClientOnLine::kPx4, MAV_TYPE_FIXED_WING, kPx4Mission, 6ul << 16};
+constexpr uint8_t kArduPilot = ClientOnLine::kArduPilot, kPx4 = ClientOnLine::kPx4;
+constexpr Kind kCopter = {kArduPilot, MAV_TYPE_QUADROTOR}, kRover = {kArduPilot, MAV_TYPE_GROUND_ROVER};
+constexpr Kind kBoat = {kArduPilot, MAV_TYPE_SURFACE_BOAT}, kSubmarine = {kArduPilot, MAV_TYPE_SUBMARINE};
+constexpr Kind kPlane = {kArduPilot, MAV_TYPE_FIXED_WING}, kPx4Copter = {kPx4, MAV_TYPE_QUADROTOR};
+constexpr Kind kPx4Rover = {kPx4, MAV_TYPE_GROUND_ROVER}, kPx4Plane = {kPx4, MAV_TYPE_FIXED_WING};
 
-// One that follows its mission, armed, and a sketch that takes it over.
-struct Flown : ClientOnLine {
-  Steering steering;
-  VelocityTarget velocity;
-  const Kind kind;
-  uint32_t mode;
-  uint32_t answerMs = 0;  // when the heartbeat that was asked for comes
-
-  explicit Flown(const Kind& it)
-      : ClientOnLine(it.autopilot), steering(client), velocity(steering), kind(it), mode(it.autoMode) {
-    beats = false;
-    client.allowWhileArmed(true);
-    pass(3000);
-  }
-
-  void show() {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = mode;
-    message.type = kind.type;
-    message.autopilot = kind.autopilot;
-    message.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | MAV_MODE_FLAG_SAFETY_ARMED;
-    message.system_status = MAV_STATE_ACTIVE;
-    message.mavlink_version = 3;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    hear(FrameParts(MAVLINK_MSG_ID_HEARTBEAT, payload, MAVLINK_MSG_ID_HEARTBEAT_CRC));
-  }
-
-  // As loop() does, with a heartbeat each quarter of a second, or when it is asked for one.
-  void pass(uint32_t ms) {
-    for (; ms != 0; --ms) {
-      if (nowMs() == answerMs || nowMs() % 250 == 0) show();
-      velocity.update();
-      run(1);
-      if (sent.empty() || sent.back().atMs != nowMs() || sent.back().messageId != kCommandLong) continue;
-      mavlink_command_long_t command;
-      memcpy(&command, sent.back().payload.data(), sizeof(command));
-      if (command.command == MAV_CMD_REQUEST_MESSAGE) answerMs = nowMs() + 25;
-      if (command.command == MAV_CMD_DO_SET_MODE) mode = kind.guided;
-    }
-  }
-
-  void begin(const Velocity& first) {
-    velocity.start(first);
-    pass(600);
-    REQUIRE(velocity.isFlown());
-    sent.clear();
-    pass(250);
-  }
-
-  // Of what it flies now, the last message.
-  mavlink_set_position_target_local_ned_t flown(const Velocity& it) {
-    CHECK((velocity.renew(it) == Status::Transferring));
-    sent.clear();
-    pass(450);
-    return last();
-  }
-  mavlink_set_position_target_local_ned_t last() const {
-    mavlink_set_position_target_local_ned_t message = mavlink_set_position_target_local_ned_t();
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId == kVelocity) memcpy(&message, frame.payload.data(), sizeof(message));
-    }
-    return message;
-  }
+struct Flown : VelocityAircraft {
+  explicit Flown(const Kind& it) : VelocityAircraft(it.autopilot, it.type) {}
 };
 
 // What start() comes to for a vehicle; Transferring: it is flown.
 Status begun(const Kind& kind, const Velocity& velocity, ItemField field) {
   Flown flight(kind);
-  flight.sent.clear();
-  flight.ended = Status::Idle;
+  const bool isCar = kind.type == MAV_TYPE_SURFACE_BOAT || kind.type == MAV_TYPE_FIXED_WING;
+  isCar&& kind.autopilot == kArduPilot ? flight.fly(kRoverAuto) : flight.inMission();
+  flight.show(flight.mode);
+  flight.forget();
   flight.velocity.start(velocity);
   flight.pass(5);
   if (flight.client.isBusy()) return Status::Transferring;
   CHECK((flight.client.differingField() == field));
-  CHECK(flight.timesOf(kCommandLong, 0).empty());
+  CHECK(flight.said() == "");
+  CHECK(flight.asks == 0);
   CHECK((flight.velocity.status() == flight.ended));
   return flight.ended;
 }
 
-constexpr EarthVelocity earth(float north, float east, float up = 0) {
-  return EarthVelocity(MetresPerSecond(north), MetresPerSecond(east), MetresPerSecond(up));
-}
-constexpr BodyVelocity body(float forward, float right = 0, float up = 0) {
-  return BodyVelocity(MetresPerSecond(forward), MetresPerSecond(right), MetresPerSecond(up));
-}
 constexpr DegreesPerSecond turn(float value) { return DegreesPerSecond(value); }
 
 // Right above 100, the next float.
@@ -194,22 +122,22 @@ TEST_CASE("no other vehicle of ArduPilot's takes a velocity, nor another one of 
 TEST_CASE("the first velocity is flown without another call, and a start() while it is flown changes nothing") {
   Flown flight(kCopter);
   flight.begin(body(2));
-  CHECK(float{flight.last().vx} == 2.0f);
-  CHECK(uint8_t{flight.last().coordinate_frame} == MAV_FRAME_BODY_NED);
+  CHECK(flight.last() == "body 2 0 0, yaw 0, turn 0, mask 0x5c7");
   CHECK((flight.velocity.renew(body(2)) == Status::Transferring));
   CHECK((flight.velocity.start(body(5)) == Status::Busy));
   flight.sent.clear();
   flight.pass(250);
-  CHECK(float{flight.last().vx} == 2.0f);
+  CHECK(flight.last() == "body 2 0 0, yaw 0, turn 0, mask 0x5c7");
 }
 
 TEST_CASE("before the vehicle is known a renewal is refused for its numbers alone, and then for what it is, too") {
   Flown flight(kRover);
+  flight.inMission();
   flight.velocity.start(body(2));
   CHECK((flight.velocity.renew(body(2, 1)) == Status::Transferring));
   CHECK((flight.velocity.renew(body(2, 101)) == Status::BadSpeed));
   CHECK((flight.velocity.renew(body(2)) == Status::Transferring));
-  flight.pass(600);
+  REQUIRE((flight.end() == Status::Done));
   REQUIRE(flight.velocity.isFlown());
   CHECK((flight.velocity.renew(body(2, 1)) == Status::CommandUnsupported));
   CHECK((flight.client.differingField() == ItemField::Param2));
@@ -218,68 +146,38 @@ TEST_CASE("before the vehicle is known a renewal is refused for its numbers alon
 
 TEST_CASE("a copter faces where it is told, by an angle from north, or keeps its heading") {
   Flown flight(kCopter);
-  flight.begin(earth(1, 2));
-  CHECK(uint16_t{flight.last().type_mask} == 0x05C7);  // the turn counts, and is 0
-  CHECK(float{flight.last().yaw_rate} == 0.0f);
-  CHECK(uint8_t{flight.last().coordinate_frame} == MAV_FRAME_LOCAL_NED);
-  const mavlink_set_position_target_local_ned_t facing = flight.flown(earth(1, 2, 3).facing(90_deg));
-  CHECK(float{facing.yaw} == doctest::Approx(1.5707963f));
-  CHECK(uint16_t{facing.type_mask} == 0x09C7);  // the heading counts, and no turn
-  CHECK(float{facing.vx} == 1.0f);
-  CHECK(float{facing.vy} == 2.0f);
-  CHECK(float{facing.vz} == -3.0f);
-  const mavlink_set_position_target_local_ned_t north = flight.flown(earth(1, 2).facing(0_deg));
-  CHECK(float{north.yaw} == 0.0f);
-  CHECK(uint16_t{north.type_mask} == 0x09C7);
-  const mavlink_set_position_target_local_ned_t turning = flight.flown(earth(1, 2).turning(turn(-90)));
-  CHECK(float{turning.yaw_rate} == doctest::Approx(-1.5707963f));
-  CHECK(uint16_t{turning.type_mask} == 0x05C7);
+  flight.begin(earth(1, 2));  // the turn counts, and is 0
+  CHECK(flight.last() == "earth 1 2 0, yaw 0, turn 0, mask 0x5c7");
+  // The heading counts, and no turn.
+  CHECK(flight.flown(earth(1, 2, 3).facing(90_deg)) == "earth 1 2 -3, yaw 1.5708, turn 0, mask 0x9c7");
+  CHECK(flight.flown(earth(1, 2).facing(0_deg)) == "earth 1 2 0, yaw 0, turn 0, mask 0x9c7");
+  CHECK(flight.flown(earth(1, 2).turning(turn(-90))) == "earth 1 2 0, yaw 0, turn -1.5708, mask 0x5c7");
   // One that stands still over the ground stays one over the ground.
-  const mavlink_set_position_target_local_ned_t still = flight.flown(earth(0, 0, 1).facing(45_deg));
-  CHECK(uint8_t{still.coordinate_frame} == MAV_FRAME_LOCAL_NED);
-  CHECK(float{still.vz} == -1.0f);
-  CHECK(uint16_t{still.type_mask} == 0x09C7);
+  CHECK(flight.flown(earth(0, 0, 1).facing(45_deg)) == "earth 0 0 -1, yaw 0.7854, turn 0, mask 0x9c7");
 }
 
 TEST_CASE("a rover drives where it looks, and one that stands still over the ground does not turn to the north") {
   Flown flight(kRover);
   flight.begin(earth(1, -2));
-  CHECK(uint8_t{flight.last().coordinate_frame} == MAV_FRAME_LOCAL_NED);
-  CHECK(uint16_t{flight.last().type_mask} == 0x0DC7);  // the velocity alone
-  CHECK(float{flight.last().vx} == 1.0f);
-  CHECK(float{flight.last().vy} == -2.0f);
-  const Velocity kMoving[] = {earth(1, 0), earth(0, 1), earth(-1, 0), earth(0, -1)};
-  for (const Velocity& moving : kMoving) {
-    const mavlink_set_position_target_local_ned_t message = flight.flown(moving);
-    CHECK(uint8_t{message.coordinate_frame} == MAV_FRAME_LOCAL_NED);
-    CHECK(uint16_t{message.type_mask} == 0x0DC7);
-  }
-  const mavlink_set_position_target_local_ned_t still = flight.flown(earth(0, -0.0f));
-  CHECK(uint8_t{still.coordinate_frame} == MAV_FRAME_BODY_NED);
-  CHECK(uint16_t{still.type_mask} == 0x05C7);
-  CHECK(float{still.vx} == 0.0f);
-  CHECK(float{still.yaw_rate} == 0.0f);
-  const mavlink_set_position_target_local_ned_t back = flight.flown(body(-1).turning(turn(90)));
-  CHECK(uint8_t{back.coordinate_frame} == MAV_FRAME_BODY_NED);
-  CHECK(uint16_t{back.type_mask} == 0x05C7);
-  CHECK(float{back.vx} == -1.0f);
-  CHECK(float{back.yaw_rate} == doctest::Approx(1.5707963f));
-  const mavlink_set_position_target_local_ned_t spinning = flight.flown(body(0).turning(turn(90)));
-  CHECK(float{spinning.yaw_rate} == doctest::Approx(1.5707963f));
+  CHECK(flight.last() == "earth 1 -2 0, yaw 0, turn 0, mask 0xdc7");  // the velocity alone
+  CHECK(flight.flown(earth(1, 0)) == "earth 1 0 0, yaw 0, turn 0, mask 0xdc7");
+  CHECK(flight.flown(earth(0, 1)) == "earth 0 1 0, yaw 0, turn 0, mask 0xdc7");
+  CHECK(flight.flown(earth(-1, 0)) == "earth -1 0 0, yaw 0, turn 0, mask 0xdc7");
+  CHECK(flight.flown(earth(0, -1)) == "earth 0 -1 0, yaw 0, turn 0, mask 0xdc7");
+  CHECK(flight.flown(earth(0, -0.0f)) == "body 0 0 0, yaw 0, turn 0, mask 0x5c7");
+  CHECK(flight.flown(body(-1).turning(turn(90))) == "body -1 0 0, yaw 0, turn 1.5708, mask 0x5c7");
+  CHECK(flight.flown(body(0).turning(turn(90))) == "body 0 0 0, yaw 0, turn 1.5708, mask 0x5c7");
 }
 
 TEST_CASE("behind a loop() that stood still for 0.6 s a heartbeat comes first, and then the velocity again") {
   Flown flight(kCopter);
-  flight.begin(body(2));
+  flight.begin(body(2)).silence();
   CHECK((flight.velocity.renew(body(2)) == Status::Transferring));
   flight.run(700, 700);
   flight.sent.clear();
   CHECK((flight.velocity.renew(body(2)) == Status::Transferring));
-  flight.velocity.update();
-  flight.run(1);
-  CHECK(flight.timesOf(kVelocity, 0).empty());
-  flight.pass(600);
-  CHECK_FALSE(flight.timesOf(kVelocity, 0).empty());
-  CHECK(float{flight.last().vx} == 2.0f);
+  CHECK(flight.wait(5).timesOf(kVelocity, 0).empty());
+  flight.silence(false).pass(600);
+  CHECK(flight.last() == "body 2 0 0, yaw 0, turn 0, mask 0x5c7");
   CHECK(flight.velocity.isFlown());
 }
