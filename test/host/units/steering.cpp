@@ -111,6 +111,17 @@ TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes behin
   CHECK(copter.steering.maySteer());
   CHECK_FALSE(copter.steering.hasArrived());
 
+  Aircraft early(ClientOnLine::kArduPilot);  // hardly found, it has never named a target, and none is waited for
+  early.silence();
+  for (uint32_t shown : {kStabilize, kStabilize, kAuto}) {
+    early.isArmed = shown == kAuto;
+    early.state = early.isArmed ? kActive : kStandby;
+    early.show(shown);
+    early.pass(999);
+  }
+  early.beatsWhenAsked = true;
+  CHECK(early.goTo().status() == "Done");
+
   Ordered other;
   other.goTo();
   other.left(192).answer(192, 0);
