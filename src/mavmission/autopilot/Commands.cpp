@@ -235,6 +235,10 @@ struct OwnRow {
   uint16_t params, more;
 };
 
+struct OwnTable {
+  const OwnRow *begin, *end;
+};
+
 // From Betaflight's source (2026.12). What it takes and flies otherwise than it is meant has no row: a return at the
 // end (which it drops), spline waypoints (straight), turns and loitering without an end (kept as a time), fences
 // (stored, and not enforced).
@@ -258,11 +262,12 @@ const OwnRow kInInav[] PROGMEM = {
 
 // The rules of a command, from the autopilot's own table.
 MAVMISSION_APART Rules ownRulesOf(uint16_t command) {
-  const bool isInav = flagOf(kGenericFirmware) == kByInav;
-  const OwnRow* row = isInav ? kInInav : kInBetaflight;
-  const OwnRow* const end = row + (isInav ? sizeof(kInInav) : sizeof(kInBetaflight)) / sizeof(OwnRow);
+#define MAVMISSION_GENERIC_ROW(NAME, TRAITS) \
+  kGenericFirmware == Firmware::NAME ? OwnTable{kIn##NAME, kIn##NAME + sizeof(kIn##NAME) / sizeof(OwnRow)}:
+  const OwnTable table = MAVMISSION_GENERIC_PERSONALITIES(MAVMISSION_GENERIC_ROW)(OwnTable{nullptr, nullptr});
+#undef MAVMISSION_GENERIC_ROW
   Rules rules = {static_cast<uint32_t>(kIsNotTaken) << 28};
-  for (; row != end; ++row) {
+  for (const OwnRow* row = table.begin; row != table.end; ++row) {
     if (fromFlash(&row->command) != command) continue;
     rules.bits = static_cast<uint32_t>(fromFlash(&row->more)) << 16 | fromFlash(&row->params);
   }

@@ -18,10 +18,8 @@ enum KeeperFlag : uint8_t {
   kByPlane = 4,  // ArduPilot's Plane, which keeps some fields that ArduPilot's Copter drops
   kOfFence = 8,
   kOfRally = 16,
-  kByOwnTable = 32,  // a table of its own has each command that it takes
-  kByBetaflight = kByOwnTable,
-  kByInav = kByOwnTable | 4,
-};
+  kByOwnTable = 32,  // a table of its own has each command that it takes: kGenericFirmware says which
+};  // 64 is free, and 128 is Comparison's
 typedef uint8_t Keeper;
 
 enum Trait : uint64_t {
@@ -77,6 +75,8 @@ enum Trait : uint64_t {
   // MAV_CMD_DO_REPOSITION without its flag CHANGE_MODE is answered UNSUPPORTED, and flown to all the same in HOLD alone
   kRefusesAndRepositions = 1ull << 31,
 
+  kKeptByVersion = 1ull << 45,  // what it does not take, or rounds, differs between its versions
+
   // --- Parameters
   kIntegersAsBits = 1ull << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
 };
@@ -98,12 +98,13 @@ enum Trait : uint64_t {
     kTellsArmingChecks)
 // clang-format on
 
-// X(Firmware, KeeperFlag, traits). These say MAV_AUTOPILOT_GENERIC, as others do, and nothing that they send tells them
-// apart: MAVMISSION_GENERIC_FIRMWARE says which one it is. The others of these rows cost nothing.
+// X(Firmware, traits). These say MAV_AUTOPILOT_GENERIC, as others do, and nothing that they send tells them apart:
+// MAVMISSION_GENERIC_FIRMWARE says which one it is. The others of these rows cost nothing. Each has its table in
+// Commands.cpp: kInInav is that of Inav.
 // clang-format off
-#define MAVMISSION_GENERIC_PERSONALITIES(X)                                                                     \
-  X(Betaflight, kByBetaflight, kDropsPlanFirst | kIsReadBack | kGivesHeightsAboveSea | kMayBeOld | kTellsTotal) \
-  X(Inav, kByInav, kMayBeOld | kTellsTotal)
+#define MAVMISSION_GENERIC_PERSONALITIES(X)                                                      \
+  X(Betaflight, kDropsPlanFirst | kIsReadBack | kGivesHeightsAboveSea | kMayBeOld | kTellsTotal) \
+  X(Inav, kMayBeOld | kTellsTotal | kKeptByVersion)
 // clang-format on
 
 // The traits of any other autopilot.
@@ -142,7 +143,7 @@ MAVMISSION_INLINE constexpr bool isByOwn(Keeper keeper) { return (keeper & kOwn)
 MAVMISSION_INLINE constexpr bool has(Firmware firmware, Trait trait) {
 #define MAVMISSION_ROW(NAME, ID, KEEPER, TRAITS) \
   (((TRAITS) & trait) != 0 && (kOnly == Firmware::Unknown ? firmware : kOnly) == Firmware::NAME) ||
-#define MAVMISSION_GENERIC_ROW(NAME, KEEPER, TRAITS) \
+#define MAVMISSION_GENERIC_ROW(NAME, TRAITS) \
   (((TRAITS) & trait) != 0 && kGenericFirmware == Firmware::NAME && firmware == Firmware::NAME) ||
   return MAVMISSION_PERSONALITIES(MAVMISSION_ROW) MAVMISSION_GENERIC_PERSONALITIES(MAVMISSION_GENERIC_ROW)(
       (kOtherTraits & trait) != 0 && kOnly == Firmware::Unknown && firmware == Firmware::Other);
@@ -170,11 +171,7 @@ MAVMISSION_INLINE Keeper flagOf(Firmware firmware) {
 #undef MAVMISSION_ROW
     default: break;
   }
-#define MAVMISSION_GENERIC_ROW(NAME, KEEPER, TRAITS) \
-  if (kGenericFirmware == Firmware::NAME && firmware == Firmware::NAME) return KEEPER;
-  MAVMISSION_GENERIC_PERSONALITIES(MAVMISSION_GENERIC_ROW)
-#undef MAVMISSION_GENERIC_ROW
-  return 0;
+  return isGenericKnown() && firmware == kGenericFirmware ? kByOwnTable : 0;
 }
 
 }  // namespace detail

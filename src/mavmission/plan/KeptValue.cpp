@@ -119,8 +119,7 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
   if (isByArduPilot(keeper) && item.command >= kFenceCircleInclusion && (keeper & kOfFence) != 0 && index == 0) {
     return number(found);  // the radius of a circle (Areas)
   }
-  // What iNav does not take, or rounds, differs between its versions.
-  if (isByOwn(keeper) && flagOf(kGenericFirmware) == kByInav && (kind == Three || kind >= U1)) {
+  if (isByOwn(keeper) && has(kGenericFirmware, kKeptByVersion) && (kind == Three || kind >= U1)) {
     return fromBits(kNotKnown);
   }
   switch (kind) {
