@@ -1,242 +1,172 @@
 // download() by a whole client: what the sink is given.
 #include <doctest/doctest.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4, kOther = Conversation::kOther;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), jump(0, 3)};
+const MissionItem kFence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
 
 struct Taken {
   uint16_t index;
   MissionItem item;
 };
 
-struct Sink {
+// A download into a sink that notes what it is given, as far as the question for the list.
+struct Loading : Conversation {
   std::vector<Taken> taken;
   bool isReady = true, isFull = false;
   int asked = 0;
 
-  ItemSink sink(uint16_t limit = 100) { return ItemSink{write, this, limit, ready}; }
+  explicit Loading(uint8_t autopilot, uint16_t limit = 100, PlanType is = PlanType::Mission, bool isRaw = false)
+      : Conversation(autopilot) {
+    type = is;
+    client.useRawNumbering(isRaw);
+    begin(limit);
+  }
+  void begin(uint16_t limit = 100) {
+    const ItemSink sink = {write, this, limit, ready};
+    CHECK((client.download(sink, type) == Status::WaitingForAutopilot));
+    CHECK((client.download(sink, type) == Status::Busy));
+    CHECK(plays("until LIST 3 s") == (type == PlanType::Fence ? "LIST of fence" : "LIST"));
+  }
   static bool write(void* context, uint16_t index, const MissionItem& item) {
-    Sink& sink = *static_cast<Sink*>(context);
-    if (sink.isFull) return false;
-    sink.taken.push_back({index, item});
-    return true;
+    Loading& loading = *static_cast<Loading*>(context);
+    if (!loading.isFull) loading.taken.push_back({index, item});
+    return !loading.isFull;
   }
   static bool ready(void* context) {
-    Sink& sink = *static_cast<Sink*>(context);
-    ++sink.asked;
-    return sink.isReady;
+    ++static_cast<Loading*>(context)->asked;
+    return static_cast<Loading*>(context)->isReady;
   }
 };
 
-struct Loading : ClientOnLine {
-  Loading(uint8_t autopilot, const ItemSink& sink, bool isRaw = false, PlanType type = PlanType::Mission)
-      : ClientOnLine(autopilot) {
-    run(3000);
-    client.useRawNumbering(isRaw);
-    CHECK((client.download(sink, type) == Status::WaitingForAutopilot));
-    CHECK((client.download(sink, type) == Status::Busy));
-    REQUIRE(runUntilSent(kRequestList, 3000));
-    CHECK(sent.back().payload[2] == static_cast<uint8_t>(type));
-    sent.clear();
-  }
-  void tell(const FrameParts& parts) {
-    hear(parts);
-    run(5);
-  }
-  // The numbers of the items that were asked for.
-  std::vector<int> asked() const {
-    std::vector<int> numbers;
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId == kRequestInt) numbers.push_back(frame.payload[0]);
-    }
-    return numbers;
-  }
-};
+// What a sink gets of a sent item is the item but for these.
+void checkSame(const MissionItem& got, MissionItem sent, uint8_t current, float param1) {
+  sent.current = current;
+  sent.param1 = param1;
+  CHECK(itemParts(0, got).payload == itemParts(0, sent).payload);
+}
 
 }  // namespace
 
-TEST_CASE("a plan comes item by item, with the sketch's numbers and ArduPilot's home apart") {
-  Sink to;
-  Loading desk(ClientOnLine::kArduPilot, to.sink());
+TEST_CASE("ArduPilot's home comes first, by its own index, and each item with the sketch's number") {
+  Loading desk(kArduPilot);
   CHECK(desk.client.itemsTotal() == 0);
-  desk.tell(countParts(3));
+  desk.held = {waypoint(-35.36_deg, 149.16_deg, 584_m), kPlan[0], kPlan[1]};
+  desk.held[2].param1 = 1;  // behind home
+  desk.held[0].current = 1;
+  CHECK(desk.plays("count") == "REQUEST 0-2");
   CHECK(desk.client.itemsTotal() == 2);
-  MissionItem onTheWire[] = {waypoint(-35.36_deg, 149.16_deg, 584_m), kPlan[0], kPlan[1]};
-  onTheWire[2].param1 = 1;  // behind home
-  onTheWire[0].current = 1;
-  for (uint16_t seq = 0; seq < 3; ++seq) {
-    CHECK(desk.asked() == std::vector<int>{0, 1, 2});
-    CHECK(desk.client.itemsDone() == (seq == 0 ? 0 : seq - 1));
-    desk.tell(itemParts(seq, onTheWire[seq]));
-  }
-  CHECK((desk.ended == Status::Downloaded));
+  desk.plays("item 0, item 1");
+  CHECK(desk.client.itemsDone() == 1);
+  CHECK(desk.plays("item 2") == "-> Downloaded (NotKnown), ACK accepted");
   CHECK(desk.client.itemsDone() == 2);
-  CHECK(desk.sent.back().messageId == ClientOnLine::kAck);
-  CHECK(desk.sent.back().payload[2] == 0);
-  REQUIRE(to.taken.size() == 3);
-  CHECK(to.taken[0].index == kHomeIndex);
-  CHECK(to.taken[0].item.x == onTheWire[0].x);
-  CHECK(to.taken[0].item.z == 584);
-  CHECK(to.taken[0].item.current == 0);
-  CHECK(to.taken[1].index == 0);
-  CHECK(to.taken[1].item.command == kNavWaypoint);
-  CHECK(to.taken[1].item.x == kPlan[0].x);
-  CHECK(to.taken[1].item.y == kPlan[0].y);
-  CHECK(to.taken[1].item.z == 20);
-  CHECK((to.taken[1].item.frame == CoordinateFrame::GlobalRelative));
-  CHECK(to.taken[1].item.autocontinue == 1);
-  CHECK(to.taken[1].item.current == 0);
-  CHECK(to.taken[2].index == 1);
-  CHECK(to.taken[2].item.command == kDoJump);
-  CHECK(to.taken[2].item.param1 == 0);  // the sketch's number
-  CHECK(to.taken[2].item.param2 == 3);
+  REQUIRE(desk.taken.size() == 3);
+  CHECK(desk.taken[0].index == kHomeIndex);
+  checkSame(desk.taken[0].item, desk.held[0], 0, 0);
+  CHECK(desk.taken[1].index == 0);
+  checkSame(desk.taken[1].item, kPlan[0], 0, 0);
+  CHECK(desk.taken[2].index == 1);
+  checkSame(desk.taken[2].item, kPlan[1], 0, 0);  // the sketch's number
 }
 
 TEST_CASE("with raw numbering home is item 0, and the targets of jumps stay what they are") {
-  Sink to;
-  Loading desk(ClientOnLine::kArduPilot, to.sink(), true);
-  desk.tell(countParts(2));
+  Loading desk(kArduPilot, 100, PlanType::Mission, true);
+  desk.held = {kPlan[0], jump(1, 3)};
+  desk.held[0].current = 1;
+  desk.plays("count");
   CHECK(desk.client.itemsTotal() == 2);
-  MissionItem first = kPlan[0];
-  first.current = 1;
-  desk.tell(itemParts(0, first));
-  desk.tell(itemParts(1, jump(1, 3)));
-  CHECK((desk.ended == Status::Downloaded));
-  REQUIRE(to.taken.size() == 2);
-  CHECK(to.taken[0].index == 0);
-  CHECK(to.taken[0].item.current == 1);
-  CHECK(to.taken[1].index == 1);
-  CHECK(to.taken[1].item.param1 == 1);
+  CHECK(desk.plays("items") == "-> Downloaded (NotKnown), ACK accepted");
+  REQUIRE(desk.taken.size() == 2);
+  CHECK(desk.taken[0].index == 0);
+  checkSame(desk.taken[0].item, kPlan[0], 1, 0);
+  CHECK(desk.taken[1].index == 1);
+  checkSame(desk.taken[1].item, jump(1, 3), 0, 1);
 }
 
 TEST_CASE("a download of a fence asks for the fence, and takes no item of a mission for one of its own") {
-  Sink to;
-  Loading desk(ClientOnLine::kArduPilot, to.sink(), false, PlanType::Fence);
-  desk.tell(countParts(5));
-  CHECK(desk.client.itemsTotal() == 0);
-  desk.tell(countParts(1, PlanType::Fence));
+  Loading desk(kArduPilot, 100, PlanType::Fence);
+  desk.held = {kFence[0]};
+  CHECK(desk.plays("count 5 of mission | count | item 0 of mission") == "| REQUEST 0 of fence |");
   CHECK(desk.client.itemsTotal() == 1);
-  REQUIRE(desk.timesOf(ClientOnLine::kRequestInt, 0).size() == 1);
-  CHECK(desk.sent.back().payload[4] == 1);
-  const MissionItem circle = fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m);
-  desk.tell(itemParts(0, circle));
-  CHECK(to.taken.empty());
-  desk.tell(itemParts(0, circle, PlanType::Fence));
-  CHECK((desk.ended == Status::Downloaded));
-  REQUIRE(to.taken.size() == 1);
-  CHECK(to.taken[0].index == 0);
-  CHECK(to.taken[0].item.param1 == 100);
+  CHECK(desk.taken.empty());
+  CHECK(desk.plays("item 0") == "-> Downloaded (NotKnown), ACK accepted of fence");
+  REQUIRE(desk.taken.size() == 1);
+  CHECK(desk.taken[0].index == 0);
+  CHECK(desk.taken[0].item.param1 == 100);
 }
 
 TEST_CASE("a sink that is not ready is asked again, and the item is not lost") {
-  Sink to;
-  to.isReady = false;
-  Loading desk(ClientOnLine::kPx4, to.sink());
-  desk.tell(countParts(1));
-  desk.tell(itemParts(0, kPlan[0]));
-  CHECK(to.asked == 1);
-  CHECK(to.taken.empty());
-  CHECK(desk.client.isBusy());
-  to.isReady = true;
-  desk.sent.clear();
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestInt, 260));
-  desk.tell(itemParts(0, kPlan[0]));
-  CHECK(to.asked == 2);
-  CHECK((desk.ended == Status::Downloaded));
-  CHECK(to.taken.size() == 1);
+  Loading desk(kPx4);
+  desk.held = {kPlan[0]};
+  desk.isReady = false;
+  desk.plays("count, item 0");
+  CHECK(desk.asked == 1);
+  CHECK(desk.taken.empty());
+  desk.isReady = true;
+  CHECK(desk.plays("until REQUEST 260 ms, item 0") == "REQUEST 0, -> Downloaded (NotKnown), ACK accepted");
+  CHECK(desk.asked == 2);
+  CHECK(desk.taken.size() == 1);
 }
 
 TEST_CASE("a sink without such a question is always ready") {
   MissionItem array[2];
-  Loading desk(ClientOnLine::kPx4, toRam(array));
-  desk.tell(countParts(2));
-  desk.tell(itemParts(0, kPlan[0]));
-  desk.tell(itemParts(1, kPlan[1]));
-  CHECK((desk.ended == Status::Downloaded));
+  Conversation desk(kPx4, kPlan);
+  desk.client.download(toRam(array));
+  CHECK(desk.plays("until LIST, count, items") == "LIST, REQUEST 0-1, -> Downloaded (NotKnown), ACK accepted");
   CHECK(array[0].x == kPlan[0].x);
   CHECK(array[1].param2 == 3);
 }
 
 TEST_CASE("a sink that is full, by its limit or in the middle, ends the download, and the autopilot is told") {
-  for (const bool isByLimit : {true, false}) {
-    Sink to;
-    Loading desk(ClientOnLine::kPx4, to.sink(isByLimit ? 1 : 2));
-    to.isFull = true;
-    desk.tell(countParts(2));
-    if (!isByLimit) desk.tell(itemParts(0, kPlan[0]));
-    CHECK((desk.ended == Status::SinkFull));
-    CHECK(desk.client.failedItem() == (isByLimit ? MissionClient::kNoItem : 0));
-    desk.run(5);
-    REQUIRE(desk.timesOf(ClientOnLine::kAck, 0).size() == 1);
-    for (const SentFrame& frame : desk.sent) {
-      if (frame.messageId == ClientOnLine::kAck) CHECK(frame.payload[2] == 15);  // MAV_MISSION_OPERATION_CANCELLED
-    }
-  }
+  Loading limited(kPx4, 1), full(kPx4, 2);
+  CHECK(limited.plays("count 2") == "-> SinkFull (NotKnown), ACK cancelled");
+  full.held = {kPlan[0], kPlan[1]};
+  full.isFull = true;
+  CHECK(full.plays("count | item 0") == "REQUEST 0 | -> SinkFull at 0 (NotKnown), ACK cancelled");
+  full.isFull = false;
+  full.pass(3000);
+  full.begin(2);
+  CHECK(full.plays("count, items") == "REQUEST 0-1, -> Downloaded (NotKnown), ACK accepted");  // as many as it may take
 }
 
 TEST_CASE("behind a verification a download is stored, and not compared") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(3000);
-  desk.client.verify(inRam(kPlan));
-  desk.run(5);
-  desk.client.cancel();
-  Sink to;
-  desk.client.download(to.sink());
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.hear(countParts(1));  // of two
-  desk.run(5);
-  desk.hear(itemParts(0, kPlan[1]));
-  desk.run(5);
-  CHECK((desk.ended == Status::Downloaded));
-  CHECK(to.taken.size() == 1);
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
-}
-
-TEST_CASE("as many items as the sink may take are taken") {
-  Sink to;
-  Loading desk(ClientOnLine::kPx4, to.sink(2));
-  desk.tell(countParts(2));
-  CHECK(desk.client.isBusy());
+  Loading desk(kPx4);
+  desk.plays("cancel, 3 s");
+  desk.isAbout(inRam(kPlan)).plays("verify, 5 ms, cancel, 3 s");
+  desk.begin();
+  desk.held = {kPlan[1]};  // of two
+  CHECK(desk.plays("count, item 0") == "REQUEST 0, -> Downloaded (NotKnown), ACK accepted");
+  CHECK(desk.taken.size() == 1);
 }
 
 TEST_CASE("an item that comes as floats is made one of integers") {
-  Sink to;
-  Loading desk(ClientOnLine::kOther, to.sink());
-  desk.tell(countParts(2));
+  Loading desk(kOther);
+  desk.plays("count 2");
   desk.tell(floatItemParts(0, kPlan[0], -35.5f, 149.25f));
   desk.tell(floatItemParts(1, anyCommand(kDoSetServo, 1, 2), 5, -6));
   CHECK((desk.ended == Status::Downloaded));
-  REQUIRE(to.taken.size() == 2);
-  CHECK(to.taken[0].item.x == -355000000);
-  CHECK(to.taken[0].item.y == 1492500000);
-  CHECK(to.taken[0].item.z == 20);
-  CHECK(to.taken[1].item.x == 5);
-  CHECK(to.taken[1].item.y == -6);
-  CHECK(to.taken[1].item.param2 == 2);
+  REQUIRE(desk.taken.size() == 2);
+  CHECK(desk.taken[0].item.x == -355000000);
+  CHECK(desk.taken[0].item.y == 1492500000);
+  CHECK(desk.taken[0].item.z == 20);
+  CHECK(desk.taken[1].item.x == 5);
+  CHECK(desk.taken[1].item.y == -6);
+  CHECK(desk.taken[1].item.param2 == 2);
 }
 
-TEST_CASE("an autopilot without a plan has nothing for the sink") {
-  for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    Sink to;
-    Loading desk(autopilot, to.sink(0));
-    desk.tell(countParts(0));
-    CHECK((desk.ended == Status::Downloaded));
+TEST_CASE("an autopilot without a plan has nothing for the sink, and a plan of all types is none that can be read") {
+  for (const uint8_t autopilot : {kArduPilot, kPx4}) {
+    Loading desk(autopilot, 0);
+    CHECK(desk.plays("count 0") == "ACK accepted, -> Downloaded (NotKnown)");
     CHECK(desk.client.itemsTotal() == 0);
-    CHECK(to.taken.empty());
+    CHECK(desk.taken.empty());
+    desk.type = PlanType::All;
+    CHECK(desk.plays("download, 5 ms") == "-> BadPlanType (NotKnown)");
   }
-}
-
-TEST_CASE("a plan of all types is none that can be read") {
-  Sink to;
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(3000);
-  CHECK((desk.client.download(to.sink(), PlanType::All) == Status::BadPlanType));
-  desk.run(5);
-  CHECK((desk.ended == Status::BadPlanType));
 }

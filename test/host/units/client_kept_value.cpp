@@ -3,81 +3,54 @@
 
 #include <cmath>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr LatLon kPlace = {-35.3632621_deg, 149.1652374_deg};
+// ArduPilot keeps whole seconds of a wait.
+const MissionItem kPlan[] = {takeoff(20_m), waypoint(-35_deg, 149_deg, 20_m),
+                             anyCommandAt(kNavWaypoint, -35_deg, 149_deg, 20_m, 2.5f)};
 
-// ArduPilot keeps whole seconds of a wait, and no more than 255 turns.
-const MissionItem kPlan[] = {takeoff(20_m), waypoint(kPlace.latitude, kPlace.longitude, 20_m),
-                             anyCommandAt(kNavWaypoint, kPlace.latitude, kPlace.longitude, 20_m, 2.5f)};
-
-bool isNothing(float value) { return std::isnan(value); }
+struct Keeping : Conversation {
+  Keeping() : Conversation(kArduPilot, kPlan) {}
+  bool isNothingKept() { return std::isnan(client.keptValue()); }
+};
 
 }  // namespace
 
 TEST_CASE("what an autopilot would keep in the place of the refused value is read from the plan again") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
-  CHECK(isNothing(desk.client.keptValue()));
-  desk.client.upload(inRam(kPlan));
-  CHECK(isNothing(desk.client.keptValue()));
-  desk.run(50);
-  REQUIRE((desk.ended == Status::NotKept));
-  CHECK(desk.client.failedItem() == 2);
-  CHECK((desk.client.differingField() == ItemField::Param1));
+  Keeping desk;
+  CHECK(desk.isNothingKept());
+  desk.plays("upload");
+  CHECK(desk.isNothingKept());
+  CHECK(desk.plays("50 ms") == "-> NotKept at 2 in Param1 (NotKnown)");
   CHECK(desk.client.keptValue() == 2);
   CHECK(desk.client.keptValue() == 2);
 }
 
-TEST_CASE("after another status, or without an item, no value is known") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
-  const MissionItem bad[] = {waypoint(-35_deg, 149_deg, 20_m), anyCommandAt(kNavWaypoint, 91_deg, 0_deg, 20_m, 2.5f)};
-  desk.client.upload(inRam(bad));
-  desk.run(50);
-  REQUIRE((desk.ended != Status::NotKept));
-  REQUIRE(desk.client.failedItem() == 1);
-  CHECK(isNothing(desk.client.keptValue()));
-}
+TEST_CASE("after another status, with another plan aboard, or without a source, no value is known") {
+  const MissionItem bad[] = {kPlan[1], anyCommandAt(kNavWaypoint, 91_deg, 0_deg, 20_m, 2.5f)};
+  Keeping desk;
+  CHECK(desk.isAbout(inRam(bad)).plays("upload, 50 ms") == "-> BadLatitude at 1 (NotKnown)");
+  CHECK(desk.isNothingKept());
 
-TEST_CASE("a plan that is another one aboard has no kept value") {
-  const MissionItem plan[] = {anyCommandAt(kNavWaypoint, kPlace.latitude, kPlace.longitude, 20_m, 3)};
-  MissionItem aboard = plan[0];
-  aboard.param1 = 4;
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
-  desk.client.verify(inRam(plan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  for (const FrameParts& parts : {countParts(2), itemParts(0, homeItem()), itemParts(1, aboard)}) {
-    desk.hear(parts);
-    desk.run(5);
-  }
-  REQUIRE((desk.ended == Status::Differs));
-  REQUIRE((desk.client.differingField() == ItemField::Param1));
-  CHECK(desk.client.failedItem() == 0);
-  CHECK(isNothing(desk.client.keptValue()));
-}
+  const MissionItem plan[] = {anyCommandAt(kNavWaypoint, -35_deg, 149_deg, 20_m, 3)};
+  desk.isAbout(inRam(plan)).held[1].param1 = 4;
+  CHECK(desk.plays("verify, until LIST, count, items") ==
+        "LIST, REQUEST 0-1, -> Differs at 0 in Param1 (NotKnown), ACK cancelled");
+  CHECK(desk.isNothingKept());
 
-TEST_CASE("a source that can no longer be read has no kept value") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
+  Keeping late;
   static bool isThere;
   isThere = true;
-  const ItemSource source = fromFunction(
-      [](void*, uint16_t index, MissionItem& item) {
-        item = kPlan[index];
-        return isThere;
-      },
-      3);
-  desk.client.upload(source);
-  desk.run(50);
-  REQUIRE((desk.ended == Status::NotKept));
-  CHECK(desk.client.keptValue() == 2);
+  const auto read = [](void*, uint16_t index, MissionItem& item) {
+    item = kPlan[index];
+    return isThere;
+  };
+  CHECK(late.isAbout(fromFunction(read, 3)).plays("upload, 50 ms") == "-> NotKept at 2 in Param1 (NotKnown)");
+  CHECK(late.client.keptValue() == 2);
   isThere = false;
-  CHECK(isNothing(desk.client.keptValue()));
+  CHECK(late.isNothingKept());
 }
