@@ -1,201 +1,126 @@
 // What few uploads need, by a whole client: a part of a plan, and items as MISSION_ITEM.
 #include <doctest/doctest.h>
+#include <string.h>
 
-#include "ClientOnLine.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-const uint16_t kPartialList = 38, kItem = 39, kClearAll = 45;
-const uint8_t kAccepted = 0, kUnsupported = 3, kNoSpace = 4;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4, kOther = Conversation::kOther;
 const MissionItem kPlan[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
                              changeSpeed(MetresPerSecond(5)), returnToLaunch()};
 
-uint16_t wordAt(const SentFrame& frame, size_t at) {
-  return static_cast<uint16_t>(frame.payload[at] | frame.payload[at + 1] << 8);
-}
-
-float floatAt(const SentFrame& frame, size_t at) {
-  float value;
-  memcpy(&value, &frame.payload[at], sizeof(value));
-  return value;
-}
+// Floats for an autopilot that may be old, when it asks for them or from the beginning.
+struct Floats : Conversation {
+  template <size_t N>
+  Floats(uint8_t autopilot, const MissionItem (&items)[N], bool atOnce = false) : Conversation(autopilot, items) {
+    client.useMissionItemFallback(atOnce);
+  }
+  // Of the item that left last, 4: x, 5: y, 6: z.
+  float number(size_t index) const {
+    float value;
+    memcpy(&value, &sent.back().payload[4 * index], sizeof(value));
+    return value;
+  }
+};
 
 }  // namespace
 
 TEST_CASE("a part of a plan is announced by its first and its last item, and these items go out") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
+  Conversation desk(kArduPilot, kPlan);
+  desk.pass(8000);
   CHECK((desk.client.uploadPartial(inRam(kPlan), 1, 2) == Status::WaitingForAutopilot));
   CHECK((desk.client.uploadPartial(inRam(kPlan), 1, 2) == Status::Busy));
-  REQUIRE(desk.runUntilSent(kPartialList, 100));
-  CHECK(wordAt(desk.sent.back(), 0) == 2);  // behind home
-  CHECK(wordAt(desk.sent.back(), 2) == 3);
-  for (const uint16_t item : {2, 3}) {
-    desk.hear(requestParts(item));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
-    CHECK(wordAt(desk.sent.back(), 28) == item);
-  }
-  desk.hear(ackParts(kAccepted));
-  desk.run(5);
-  CHECK((desk.ended == Status::Accepted));
-  CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
+  CHECK(desk.plays("100 ms, asks 2-3, accepted") == "PART 2-3, ITEM 2-3, -> Accepted (OurPlan)");  // behind home
   // The same plan again goes as a whole only where it is given as a whole.
-  desk.client.upload(inRam(kPlan));
-  CHECK(desk.runUntilSent(ClientOnLine::kCount, 3000));
+  CHECK(desk.plays("upload, until COUNT 3 s") == "COUNT 5");
 }
 
 TEST_CASE("a part that is not within its plan is refused, and there is no plan for uploadAgain() then") {
   const struct {
     uint16_t first, count;
-    bool isGood;
-  } kParts[] = {{0, 0, false}, {4, 1, false}, {3, 2, false}, {0, 5, false}, {3, 1, true}, {0, 4, true}};
+    const char* end;
+  } kParts[] = {{0, 0, "-> BadRange (NotKnown)"},
+                {4, 1, "-> BadRange (NotKnown)"},
+                {3, 2, "-> BadRange (NotKnown)"},
+                {0, 5, "-> BadRange (NotKnown)"},
+                {3, 1, "PART 4-4"},
+                {0, 4, "PART 1-4"}};
   for (const auto& part : kParts) {
-    ClientOnLine desk(ClientOnLine::kArduPilot);
-    desk.run(11000);
+    Conversation desk(kArduPilot, kPlan);
+    desk.pass(8000);
+    const bool isGood = part.end[0] == 'P';
     const Status status = desk.client.uploadPartial(inRam(kPlan), part.first, part.count);
-    CHECK((status == (part.isGood ? Status::WaitingForAutopilot : Status::BadRange)));
-    CHECK(desk.runUntilSent(kPartialList, 100) == part.isGood);
-    desk.client.cancel();
-    const Status again = desk.client.uploadAgain();
-    CHECK((again == (part.isGood ? Status::WaitingForAutopilot : Status::SourceRefused)));
+    CHECK((status == (isGood ? Status::WaitingForAutopilot : Status::BadRange)));
+    CHECK(desk.plays("100 ms, cancel") == part.end);
+    CHECK((desk.client.uploadAgain() == (isGood ? Status::WaitingForAutopilot : Status::SourceRefused)));
   }
+  Conversation px4(kPx4, kPlan);
+  px4.client.uploadPartial(inRam(kPlan), 1, 2);
+  CHECK(px4.plays("100 ms") == "-> WholePlansOnly (NotKnown)");
 }
 
 TEST_CASE("uploadAgain() uploads the whole plan, behind a part, a download of another type and a clear, too") {
-  MissionItem fence[1];
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
+  Conversation desk(kArduPilot, kPlan);
+  desk.pass(8000);
   desk.client.uploadPartial(inRam(kPlan), 1, 2);
-  REQUIRE(desk.runUntilSent(kPartialList, 100));
-  desk.client.cancel();
-  desk.client.download(toRam(fence), PlanType::Fence);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.client.cancel();
-  desk.client.clear(PlanType::All);
-  REQUIRE(desk.runUntilSent(kClearAll, 3000));
-  desk.client.cancel();
-  desk.sent.clear();
-  desk.client.uploadAgain();
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
-  CHECK(wordAt(desk.sent.back(), 0) == 5);  // behind home
-  CHECK(desk.sent.back().payload[4] == static_cast<uint8_t>(PlanType::Mission));
-  CHECK(desk.timesOf(kPartialList, 0).empty());
-}
-
-TEST_CASE("PX4 takes whole plans only") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(11000);
-  desk.client.uploadPartial(inRam(kPlan), 1, 2);
-  desk.run(100);
-  CHECK((desk.ended == Status::WholePlansOnly));
-  CHECK(desk.timesOf(kPartialList, 0).empty());
+  desk.plays("until PART, cancel");
+  desk.type = PlanType::Fence;
+  desk.plays("download, until LIST, cancel");
+  desk.type = PlanType::All;
+  desk.plays("clear, until CLEAR, cancel, 5 ms");
+  CHECK(desk.plays("again, until COUNT") == "COUNT 5");
 }
 
 TEST_CASE("an autopilot that may be old, and refuses the first item as unsupported, gets all items as floats") {
-  ClientOnLine desk(ClientOnLine::kOther);
-  desk.run(11000);
-  desk.client.useMissionItemFallback();
-  desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-  desk.hear(requestParts(0));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
-  desk.hear(ackParts(kUnsupported));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-  desk.hear(requestParts(0));
-  REQUIRE(desk.runUntilSent(kItem, 50));
-  desk.hear(requestParts(1));
-  REQUIRE(desk.runUntilSent(kItem, 50));
-  CHECK(wordAt(desk.sent.back(), 28) == 1);
-  CHECK(floatAt(desk.sent.back(), 16) == doctest::Approx(-35.3632621f));
-  CHECK(floatAt(desk.sent.back(), 20) == doctest::Approx(149.1652374f));
-  CHECK(floatAt(desk.sent.back(), 24) == 20);
-  // Refused as floats too: that is the end.
-  desk.hear(ackParts(kUnsupported));
-  desk.run(5);
-  CHECK((desk.ended == Status::Unsupported));
-  // And from now on floats are what it gets at once.
-  desk.client.uploadAgain();
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
-  desk.hear(requestParts(0));
-  CHECK(desk.runUntilSent(kItem, 50));
+  Floats desk(kOther, kPlan);
+  CHECK(desk.plays("upload unread, until COUNT, asks 0 | unsupported, 20 ms | ask 0 | ask 1") ==
+        "COUNT 4, ITEM 0 | COUNT 4 | FLOAT ITEM 0 | FLOAT ITEM 1");
+  CHECK(desk.number(4) == doctest::Approx(-35.3632621f));
+  CHECK(desk.number(5) == doctest::Approx(149.1652374f));
+  CHECK(desk.number(6) == 20);
+  // Refused as floats too: that is the end. And from now on floats are what it gets at once.
+  CHECK(desk.plays("unsupported | again, until COUNT, ask 0") ==
+        "-> Unsupported at 1 (NotKnown) | COUNT 4, FLOAT ITEM 0");
 }
 
 TEST_CASE("no other refusal, no later one, none of an ArduPilot or a PX4, and none unasked begins with floats") {
-  const struct {
-    uint8_t autopilot, result;
-    uint16_t items;
-    bool isAsked;
-  } kRefusals[] = {{ClientOnLine::kOther, kNoSpace, 1, true},         {ClientOnLine::kOther, kUnsupported, 1, false},
-                   {ClientOnLine::kOther, kUnsupported, 2, true},     {ClientOnLine::kOther, kUnsupported, 0, true},
-                   {ClientOnLine::kArduPilot, kUnsupported, 1, true}, {ClientOnLine::kPx4, kUnsupported, 1, true}};
-  for (const auto& refusal : kRefusals) {
-    ClientOnLine desk(refusal.autopilot);
-    desk.run(11000);
-    if (refusal.isAsked) desk.client.useMissionItemFallback();
-    desk.client.uploadWithoutReadback(inRam(kPlan));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-    for (uint16_t item = 0; item < refusal.items; ++item) {
-      desk.hear(requestParts(item));
-      REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
-    }
-    desk.hear(ackParts(refusal.result));
-    desk.run(50);
-    CHECK((desk.ended == (refusal.result == kNoSpace ? Status::NoSpace : Status::Unsupported)));
-    CHECK(desk.timesOf(ClientOnLine::kCount, 0).size() == 1);
-  }
+  const auto ends = [](uint8_t autopilot, const std::string& events, bool isAsked = true) {
+    Conversation desk(autopilot, kPlan);
+    if (isAsked) desk.client.useMissionItemFallback();
+    desk.plays("upload unread, until COUNT");
+    return desk.plays(events + ", 50 ms");
+  };
+  CHECK(ends(kOther, "asks 0, no space") == "ITEM 0, -> NoSpace at 0 (NotKnown)");
+  CHECK(ends(kOther, "asks 0, unsupported", false) == "ITEM 0, -> Unsupported at 0 (NotKnown)");
+  CHECK(ends(kOther, "asks 0-1, unsupported") == "ITEM 0-1, -> Unsupported at 1 (NotKnown)");
+  CHECK(ends(kOther, "unsupported") == "-> Unsupported (AsBefore)");
+  CHECK(ends(kArduPilot, "asks 0, unsupported") == "ITEM 0, -> Unsupported (Mixture)");
+  CHECK(ends(kPx4, "asks 0, unsupported") == "ITEM 0, -> Unsupported at 0 (AsBefore)");
 }
 
-TEST_CASE(
-    "where floats are wanted from the beginning there is no MISSION_ITEM_INT, and parameters stay what they are") {
-  const MissionItem plan[] = {jump(0, 3)};
-  for (const uint8_t autopilot : {ClientOnLine::kOther, ClientOnLine::kPx4}) {
-    ClientOnLine desk(autopilot);
-    desk.run(11000);
-    desk.client.useMissionItemFallback(true);
-    desk.client.uploadWithoutReadback(inRam(plan));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-    desk.hear(requestParts(0));
-    REQUIRE(desk.runUntilSent(kItem, 50));
-    CHECK(floatAt(desk.sent.back(), 4) == 3);
-    CHECK(desk.timesOf(ClientOnLine::kItemInt, 0).empty());
+TEST_CASE("floats from the beginning: no MISSION_ITEM_INT, degrees as coordinates, parameters as they are") {
+  const MissionItem jumps[] = {jump(0, 3)};
+  for (const uint8_t autopilot : {kOther, kPx4}) {
+    Floats desk(autopilot, jumps, true);
+    CHECK(desk.plays("upload unread, until COUNT, ask 0") == "COUNT 1, FLOAT ITEM 0");
+    CHECK(desk.number(1) == 3);
     // PX4's checksum is that of its integers: a wrong one proves nothing here.
-    desk.hear(ackParts(kAccepted, 1, 191, 0, 0x12345678));
-    desk.run(5);
-    CHECK((desk.ended == Status::Accepted));
+    CHECK(desk.plays("accepted named 7") == "-> Accepted (OurPlan)");
   }
+  const MissionItem plan[] = {anyCommand(kDoDigicamControl, 0, 0, 0, 0, 7, -3), waypoint(45_deg, 180_deg, 20_m)};
+  Floats desk(kOther, plan, true);
+  desk.plays("upload unread, until COUNT, ask 0");
+  CHECK(desk.number(4) == 7);
+  CHECK(desk.number(5) == -3);
+  CHECK(desk.plays("ask 1") == "FLOAT ITEM 1");
+  CHECK(desk.number(4) == 45);
+  CHECK(desk.number(5) == 180);
 }
 
 TEST_CASE("a plan that is refused when it begins anew as floats may have changed what was aboard before") {
-  ClientOnLine desk(ClientOnLine::kOther);
-  desk.run(11000);
-  desk.client.useMissionItemFallback();
-  desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-  desk.hear(requestParts(0));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
-  desk.hear(ackParts(kUnsupported));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-  desk.hear(ackParts(kNoSpace));
-  desk.run(5);
-  CHECK((desk.ended == Status::NoSpace));
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
-}
-
-TEST_CASE("as floats, coordinates are degrees, and parameters the numbers that they are") {
-  const MissionItem plan[] = {anyCommand(kDoDigicamControl, 0, 0, 0, 0, 7, -3), waypoint(45_deg, 180_deg, 20_m)};
-  ClientOnLine desk(ClientOnLine::kOther);
-  desk.run(11000);
-  desk.client.useMissionItemFallback(true);
-  desk.client.uploadWithoutReadback(inRam(plan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-  desk.hear(requestParts(0));
-  REQUIRE(desk.runUntilSent(kItem, 50));
-  CHECK(floatAt(desk.sent.back(), 16) == 7);
-  CHECK(floatAt(desk.sent.back(), 20) == -3);
-  desk.hear(requestParts(1));
-  REQUIRE(desk.runUntilSent(kItem, 50));
-  CHECK(floatAt(desk.sent.back(), 16) == 45);
-  CHECK(floatAt(desk.sent.back(), 20) == 180);
+  CHECK(Floats(kOther, kPlan).plays("upload unread, until COUNT, asks 0, unsupported, 20 ms | no space") ==
+        "COUNT 4, ITEM 0, COUNT 4 | -> NoSpace (NotKnown)");
 }
