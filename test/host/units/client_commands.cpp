@@ -1,484 +1,271 @@
 // Commands by a whole client: what leaves, when it leaves again, and what each answer means.
 #include <doctest/doctest.h>
-#include <string.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
+#include "SteeredAircraft.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr uint16_t kCommandInt = 75, kCommandLong = 76;
-constexpr uint16_t kVideo = 2500, kZoom = 531, kServo = 183, kArmId = 400, kStartId = 300, kSetInterval = 511;
-constexpr uint16_t kRequestMessage = 512, kSetCurrentId = 224;
-constexpr uint8_t kAccepted = 0, kUnsupported = 3, kFailed = 4, kInProgress = 5;
-constexpr uint8_t kArmed = 128;  // in HEARTBEAT.base_mode
-const FlightCommand kOne = flightCommand(kVideo, 1, 2, 3, 4, 5, 6, 7), kOther = flightCommand(kZoom, 1);
-const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
+const FlightCommand kVideo = flightCommand(2500, 1, 2, 3, 4, 5, 6, 7), kZoom = flightCommand(531, 1);
+const FlightCommand kServo = flightCommand(183, 1, 1500), kStart = flightCommand(300);
+const MissionItem kPlan[] = {anyCommandAt(kNavWaypoint, -35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
+const MissionItem kFence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
 
-template <typename Value>
-Value valueAt(const SentFrame& frame, size_t at) {
-  Value value;
-  memcpy(&value, &frame.payload[at], sizeof(value));
-  return value;
-}
-
-struct Ordering : ClientOnLine {
-  uint8_t kind, shown_ = 0;
-
-  explicit Ordering(uint8_t autopilot = kPx4, uint8_t baseMode = 0) : ClientOnLine(autopilot), kind(autopilot) {
-    beats = false;
-    for (int second = 0; second < 3; ++second) beat(baseMode);
-    sent.clear();
-  }
-  void beat(uint8_t baseMode = 0) {
-    show(baseMode);
-    run(1000);
-  }
-  void show(uint8_t baseMode) {
-    shown_ = baseMode;
-    hear(heartbeatParts(kind, baseMode));
-  }
-  // A second with a heartbeat each.
-  void live(uint32_t ms) {
-    beats = true;
-    run(ms);
-    beats = false;
-  }
-  void answer(uint16_t command, uint8_t result) {
-    hear(commandAckParts(command, result));
-    run(5);
-  }
-  // When commands with this id have left, without those that ask for a heartbeat.
-  std::vector<uint32_t> times(uint16_t id, uint32_t from) const {
-    std::vector<uint32_t> all;
-    for (const SentFrame& frame : sent) {
-      const bool isCommand = frame.messageId == kCommandLong || frame.messageId == kCommandInt;
-      if (isCommand && valueAt<uint16_t>(frame, 28) == id) all.push_back(frame.atMs - from);
-    }
-    return all;
-  }
-  const SentFrame& last(uint16_t messageId) const {
-    for (size_t i = sent.size(); i != 0; --i) {
-      if (sent[i - 1].messageId == messageId) return sent[i - 1];
-    }
-    FAIL("no such frame has left");
-    return sent.back();
-  }
-  bool leavesWithin(const FlightCommand& command, uint32_t ms) {
-    sent.clear();
-    ended = Status::Idle;
-    client.send(command);
-    return runUntilOrdered(command.id, ms);
-  }
-  // Until a command with this id leaves; a request for a heartbeat is answered with the one that was shown last.
-  bool runUntilOrdered(uint16_t id, uint32_t limitMs) {
-    const size_t before = times(id, 0).size();
-    for (uint32_t at = 0; at < limitMs; ++at) {
-      const size_t asked = times(kRequestMessage, 0).size();
-      run(1);
-      if (times(id, 0).size() != before) return true;
-      if (times(kRequestMessage, 0).size() != asked) show(shown_);
-    }
-    return false;
+struct Ordering : Conversation {
+  explicit Ordering(const FlightCommand& one = kZoom, uint8_t autopilot = kPx4, bool isArmed = false)
+      : Conversation(autopilot, kPlan) {
+    command = one;
+    if (isArmed) plays("armed, 2 s");
   }
 };
-
-typedef std::vector<uint32_t> Times;
 
 }  // namespace
 
 TEST_CASE("each answer to a command has its status") {
   const struct {
+    const char *answer, *end;
     uint8_t result;
-    Status status;
-  } kResults[] = {{0, Status::Done},
-                  {1, Status::CommandRejected},
-                  {2, Status::CommandDenied},
-                  {3, Status::CommandUnsupported},
-                  {4, Status::CommandFailed},
-                  {6, Status::CommandRefused},
-                  {7, Status::CommandLongOnly},
-                  {9, Status::CommandFrame},
-                  {10, Status::NotInControl},
-                  {11, Status::CommandRefused},
-                  {12, Status::CommandRefused},
-                  {255, Status::CommandRefused}};
+  } kResults[] = {{"accepted", "Done", 0},
+                  {"rejected", "CommandRejected", 1},
+                  {"denied", "CommandDenied", 2},
+                  {"unsupported", "CommandUnsupported", 3},
+                  {"failed", "CommandFailed", 4},
+                  {"cancelled", "CommandRefused", 6},
+                  {"long only", "CommandLongOnly", 7},
+                  {"frame", "CommandFrame", 9},
+                  {"10", "NotInControl", 10},
+                  {"11", "CommandRefused", 11},
+                  {"12", "CommandRefused", 12},
+                  {"255", "CommandRefused", 255}};
   for (const auto& one : kResults) {
     Ordering desk;
-    REQUIRE(desk.leavesWithin(kOther, 10));
-    desk.answer(kVideo, one.result);  // about another command
-    CHECK(desk.client.isBusy());
+    const std::string answer = one.answer;
+    CHECK(desk.plays("send, 10 ms | answer 2500 " + answer) == "LONG 531 1 |");  // about another command
     CHECK(desk.client.lastResult() == 255);
-    desk.answer(kZoom, one.result);
-    CHECK((desk.ended == one.status));
+    CHECK(desk.plays("answer 531 " + answer) == "-> " + std::string(one.end) + " (NotKnown)");
     CHECK(desk.client.lastResult() == one.result);
-    CHECK(desk.times(kZoom, 0).size() == 1);
   }
 }
 
-TEST_CASE("a command without a place is a COMMAND_LONG with all its parameters") {
-  Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  const SentFrame frame = desk.last(kCommandLong);
-  for (size_t i = 0; i < 7; ++i) CHECK(valueAt<float>(frame, 4 * i) == static_cast<float>(i + 1));
-  CHECK(valueAt<uint16_t>(frame, 28) == kVideo);
-  CHECK(frame.payload[30] == 1);
-  CHECK(frame.payload[31] == 1);
-  CHECK(frame.payload[32] == 0);
-}
-
-TEST_CASE("a command with a place is a COMMAND_INT") {
-  const FlightCommand command = flightCommandAt(kVideo, -35.3632621_deg, 149.1652374_deg, 20_m, 1, 2, 3, 4);
-  Ordering desk;
-  REQUIRE(desk.leavesWithin(command, 10));
-  const SentFrame frame = desk.last(kCommandInt);
-  for (size_t i = 0; i < 4; ++i) CHECK(valueAt<float>(frame, 4 * i) == static_cast<float>(i + 1));
-  CHECK(valueAt<int32_t>(frame, 16) == -353632621);
-  CHECK(valueAt<int32_t>(frame, 20) == 1491652374);
-  CHECK(valueAt<float>(frame, 24) == 20);
-  CHECK(valueAt<uint16_t>(frame, 28) == kVideo);
-  CHECK(frame.payload[32] == static_cast<uint8_t>(CoordinateFrame::GlobalRelative));
-  CHECK(frame.payload[33] == 0);
-  CHECK(frame.payload[34] == 0);
-  desk.answer(kVideo, kAccepted);
-  CHECK((desk.ended == Status::Done));
+TEST_CASE("a command without a place is a COMMAND_LONG with all its parameters, and one with a place a COMMAND_INT") {
+  CHECK(Ordering(kVideo).plays("send, 10 ms") == "LONG 2500 1 2 3 4 5 6 7");
+  const FlightCommand placed = flightCommandAt(2500, -35.3632621_deg, 149.1652374_deg, 20_m, 1, 2, 3, 4);
+  CHECK(Ordering(placed).plays("send, 10 ms | answer 2500 accepted") ==
+        "INT 2500 frame 3 1 2 3 4 at -353632621 1491652374 20 | -> Done (NotKnown)");
 }
 
 TEST_CASE("a command that is not answered leaves every 1.5 s, five times, and says how often") {
   Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  const uint32_t firstMs = desk.nowMs();
-  desk.live(7400);
-  CHECK(desk.client.isBusy());
-  desk.live(200);
-  CHECK((desk.ended == Status::NoAnswer));
-  CHECK(desk.times(kVideo, firstMs) == Times{0, 1500, 3000, 4500, 6000});
-  uint8_t confirmation = 0;
-  for (const SentFrame& frame : desk.sent) {
-    if (frame.messageId == kCommandLong) CHECK(frame.payload[32] == confirmation++);
-  }
-  // It has been given up: the same may leave again at once.
-  CHECK(desk.leavesWithin(kOne, 10));
+  CHECK(desk.plays("send, until LONG, clock, 7400 ms | 200 ms") ==
+        "LONG 531 1 @0, LONG 531 1 #1 @1500, LONG 531 1 #2 @3000, LONG 531 1 #3 @4500, LONG 531 1 #4 @6000 | "
+        "-> NoAnswer (NotKnown) @7500");
+  CHECK(desk.plays("send, 10 ms") == "LONG 531 1");  // it has been given up: the same may leave again at once
 }
 
 TEST_CASE("what must not be carried out twice is sent once, and again only where the sketch wants that") {
-  const FlightCommand servo = flightCommand(kServo, 1, 1500);
-  const struct {
-    const FlightCommand& command;
-    CommandRepeat repeat;
-    size_t times;
-    Status end;
-  } kCases[] = {{servo, CommandRepeat::IfHarmless, 1, Status::Unconfirmed},
-                {servo, CommandRepeat::Always, 5, Status::NoAnswer},
-                {kOne, CommandRepeat::IfHarmless, 5, Status::NoAnswer},
-                {kOne, CommandRepeat::Always, 5, Status::NoAnswer}};
-  for (const auto& one : kCases) {
-    Ordering desk;
-    desk.client.send(one.command, one.repeat);
-    desk.live(9000);
-    CHECK(desk.times(one.command.id, 0).size() == one.times);
-    CHECK((desk.ended == one.end));
-  }
+  const auto ends = [](const FlightCommand& command, CommandRepeat repeat) {
+    Conversation desk(kPx4);
+    desk.client.send(command, repeat);
+    return desk.plays("9 s");
+  };
+  const std::string servo = "LONG 183 1 1500", zoom = "LONG 531 1";
+  const auto fiveOf = [](const std::string& one) {
+    return one + ", " + one + " #1, " + one + " #2, " + one + " #3, " + one + " #4, -> NoAnswer (NotKnown)";
+  };
+  CHECK(ends(kServo, CommandRepeat::IfHarmless) == servo + ", -> Unconfirmed (NotKnown)");
+  CHECK(ends(kServo, CommandRepeat::Always) == fiveOf(servo));
+  CHECK(ends(kZoom, CommandRepeat::IfHarmless) == fiveOf(zoom));
+  CHECK(ends(kZoom, CommandRepeat::Always) == fiveOf(zoom));
 }
 
 TEST_CASE("IN_PROGRESS is waited for, and the next answer counts") {
   Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  desk.answer(kVideo, kInProgress);
-  CHECK(desk.client.lastResult() == kInProgress);
-  desk.live(4500);
-  CHECK(desk.times(kVideo, 0).size() == 1);
-  desk.answer(kVideo, kInProgress);
-  desk.live(4500);
-  CHECK(desk.times(kVideo, 0).size() == 1);
-  desk.answer(kVideo, kFailed);
-  CHECK((desk.ended == Status::CommandFailed));
+  CHECK(desk.plays("send, 10 ms | answer 531 in progress, 4500 ms") == "LONG 531 1 |");
+  CHECK(desk.client.lastResult() == 5);
+  CHECK(desk.plays("answer 531 in progress, 4500 ms | answer 531 failed") == "| -> CommandFailed (NotKnown)");
+  // Cancelled meanwhile it is answered later: the same one waits.
+  CHECK(desk.plays("send, 1 s, answer 531 in progress, cancel, 5 ms | send, 4 s | until LONG 1500 ms") ==
+        "LONG 531 1, -> Cancelled (NotKnown) | | LONG 531 1");
 }
 
-TEST_CASE("a command that is in progress when the sketch cancels it is answered later: the same one waits") {
-  Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  desk.live(1000);
-  desk.answer(kVideo, kInProgress);
-  desk.client.cancel();
-  desk.run(5);
-  desk.beats = true;
-  CHECK_FALSE(desk.leavesWithin(kOne, 4000));
-  CHECK(desk.runUntilSent(kCommandLong, 1500));
-}
-
-TEST_CASE("a command that takes too long ends as such") {
+TEST_CASE("a command that takes too long ends as such, and its time begins when the autopilot is there") {
   Ordering desk;
   desk.client.setOperationTimeout(4);
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  desk.live(3900);
-  CHECK(desk.client.isBusy());
-  desk.live(200);
-  CHECK((desk.ended == Status::TookTooLong));
-  // It has been given up: the same may leave again at once.
-  CHECK(desk.leavesWithin(kOne, 10));
+  CHECK(desk.plays("send, 10 ms, 3900 ms | 200 ms") ==
+        "LONG 531 1, LONG 531 1 #1, LONG 531 1 #2 | -> TookTooLong (NotKnown)");
+  CHECK(desk.plays("send, 10 ms") == "LONG 531 1");
+  Conversation later(kPx4, 65000, 0);
+  later.client.setOperationTimeout(2);
+  CHECK(later.plays("silence, send, 3500 ms | heartbeats, until LONG 4 s, 1400 ms") == "| LONG 2500");
+  later.pass(500);
+  CHECK(later.client.isBusy());
+}
+
+TEST_CASE("behind a command that was repeated the same one waits for late answers, and another one does not") {
+  const auto behind = [](const FlightCommand& next, const std::string& events) {
+    Ordering desk;
+    const std::string first = desk.plays("send, until LONG, until LONG 1600 ms, answer 531 accepted");
+    if (first != "LONG 531 1, LONG 531 1 #1, -> Done (NotKnown)") return first;
+    desk.command = next;
+    return desk.plays(events);
+  };
+  CHECK(behind(kZoom, "send, 1500 ms, answer 531 failed | until LONG 200 ms") == "| LONG 531 1");
+  // With an operation without commands between.
+  CHECK(behind(kZoom, "verify, 5 ms, cancel, 100 ms | send, 1400 ms | until LONG 200 ms") ==
+        "LIST, ACK cancelled, -> Cancelled (NotKnown) | | LONG 531 1");
+  CHECK(behind(kZoom, "2 s | send, 10 ms") == "| LONG 531 1");       // they can come no more
+  CHECK(behind(kZoom, "65036 ms | send, 10 ms") == "| LONG 531 1");  // when the clock has wrapped
+  CHECK(behind(kVideo, "send, 10 ms") == "LONG 2500 1 2 3 4 5 6 7");
 }
 
 TEST_CASE("behind a command that took long, and was repeated, the same one waits for late answers as well") {
   Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  REQUIRE(desk.runUntilSent(kCommandLong, 1600));
-  for (int i = 0; i < 6; ++i) {
-    desk.answer(kVideo, kInProgress);
-    desk.live(4000);
-  }
-  desk.answer(kVideo, kAccepted);
-  REQUIRE((desk.ended == Status::Done));
-  CHECK_FALSE(desk.leavesWithin(kOne, 1500));
+  desk.plays("send, until LONG, until LONG 1600 ms");
+  for (int i = 0; i < 6; ++i) desk.plays("answer 531 in progress, 4 s");
+  CHECK(desk.plays("answer 531 accepted | send, 1500 ms") == "-> Done (NotKnown) |");
 }
 
-TEST_CASE("the time of a command begins when the autopilot is there") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.client.setOperationTimeout(2);
-  desk.beats = false;
-  desk.client.send(kOne);
-  desk.run(3500);
-  desk.beats = true;
-  REQUIRE(desk.runUntilSent(kCommandLong, 4000));
-  desk.run(1900);
-  CHECK(desk.client.isBusy());
-}
-
-TEST_CASE("behind a command that was repeated the same one waits for late answers, and another one does not") {
-  Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  REQUIRE(desk.runUntilSent(kCommandLong, 1600));
-  desk.answer(kVideo, kAccepted);
-  REQUIRE((desk.ended == Status::Done));
-  SUBCASE("the same") {
-    CHECK_FALSE(desk.leavesWithin(kOne, 1500));
-    desk.answer(kVideo, kFailed);  // late
-    CHECK(desk.client.isBusy());
-    CHECK(desk.runUntilSent(kCommandLong, 200));
-  }
-  SUBCASE("the same, with an operation without commands between") {
-    desk.client.verify(inRam(kPlan));
-    desk.run(5);
-    desk.client.cancel();
-    desk.run(100);
-    CHECK_FALSE(desk.leavesWithin(kOne, 1400));
-    CHECK(desk.runUntilSent(kCommandLong, 200));
-  }
-  SUBCASE("the same, when they can come no more") {
-    desk.live(2000);
-    CHECK(desk.leavesWithin(kOne, 10));
-  }
-  SUBCASE("the same, when the clock has wrapped") {
-    desk.live(65536 - 500);
-    CHECK(desk.leavesWithin(kOne, 10));
-  }
-  SUBCASE("another one") { CHECK(desk.leavesWithin(kOther, 10)); }
-}
-
-TEST_CASE("behind a command that was answered at once the same one leaves at once") {
-  Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  desk.answer(kVideo, kAccepted);
-  CHECK(desk.leavesWithin(kOne, 10));
-  desk.answer(kVideo, kAccepted);
-  CHECK((desk.ended == Status::Done));
-}
-
-TEST_CASE("behind a command that was cancelled the same one waits for its answer") {
-  Ordering desk;
-  REQUIRE(desk.leavesWithin(kOne, 10));
-  desk.client.cancel();
-  desk.run(5);
-  CHECK_FALSE(desk.leavesWithin(kOne, 1400));
-  CHECK(desk.runUntilSent(kCommandLong, 200));
+TEST_CASE("behind a command that was answered at once the same one leaves at once, and not behind a cancelled one") {
+  CHECK(Ordering().plays("send, 10 ms, answer 531 accepted | send, 10 ms, answer 531 accepted") ==
+        "LONG 531 1, -> Done (NotKnown) | LONG 531 1, -> Done (NotKnown)");
+  CHECK(Ordering().plays("send, 10 ms, cancel, 5 ms | send, 1400 ms | until LONG 200 ms") ==
+        "LONG 531 1, -> Cancelled (NotKnown) | | LONG 531 1");
 }
 
 TEST_CASE("what an operation without commands has left does not delay a command for longer than an answer takes") {
-  for (const uint32_t pauseMs : {19900, 20100}) {
-    Ordering desk;
-    REQUIRE(desk.leavesWithin(kOne, 10));
-    REQUIRE(desk.runUntilSent(kCommandLong, 1600));
-    desk.answer(kVideo, kAccepted);
-    desk.client.verify(inRam(kPlan));
-    desk.run(5);
-    desk.client.cancel();
-    desk.live(pauseMs);
-    CHECK(desk.leavesWithin(kOne, 10) == (pauseMs > 20000));
-    if (pauseMs < 20000) CHECK(desk.runUntilSent(kCommandLong, 1600));
-  }
+  const std::string before = "send, until LONG, until LONG 1600 ms, answer 531 accepted, verify, 5 ms, cancel, ";
+  Ordering soon, later;
+  soon.plays(before + "19900 ms");
+  CHECK(soon.plays("send, 10 ms | until LONG 1600 ms") == "| LONG 531 1");
+  later.plays(before + "20100 ms");
+  CHECK(later.plays("send, 10 ms") == "LONG 531 1");
 }
 
 TEST_CASE("MISSION_START is not sent where it would arm, and any other command is") {
-  const FlightCommand start = flightCommand(kStartId);
-  for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    for (const uint8_t baseMode : {uint8_t{0}, kArmed}) {
-      Ordering desk(autopilot, baseMode);
-      const bool isRefused = autopilot == ClientOnLine::kPx4 && baseMode == 0;
-      CHECK(desk.leavesWithin(start, 20) != isRefused);
-      CHECK((desk.client.status() == (isRefused ? Status::NotArmed : Status::Transferring)));
+  for (const uint8_t autopilot : {kArduPilot, kPx4}) {
+    for (const bool isArmed : {false, true}) {
+      Ordering desk(kStart, autopilot, isArmed);
+      const bool isRefused = autopilot == kPx4 && !isArmed;
+      CHECK(desk.plays("send, 20 ms") == (isRefused ? "-> NotArmed (NotKnown)" : "LONG 300"));
       for (const Status status : desk.returned) CHECK((status != Status::Transferring || !isRefused));
-      desk.client.cancel();
-      desk.run(5);
-      CHECK(desk.leavesWithin(kOther, 20));
+      desk.command = kZoom;
+      desk.plays("cancel, 5 ms");
+      CHECK(desk.plays("send, 20 ms") == "LONG 531 1");
     }
   }
-}
-
-TEST_CASE("MISSION_START that was sent to an armed PX4 is not repeated when a heartbeat shows it disarmed") {
-  const FlightCommand start = flightCommand(kStartId);
-  Ordering desk(ClientOnLine::kPx4, kArmed);
-  REQUIRE(desk.leavesWithin(start, 20));
-  desk.show(0);
-  desk.run(50);
-  CHECK((desk.ended == Status::NotArmed));
-  CHECK(desk.times(kStartId, 0).size() == 1);
+  // One that was sent to an armed PX4 is not repeated when a heartbeat shows it disarmed.
+  CHECK(Ordering(kStart, kPx4, true).plays("send, 20 ms | disarmed, 50 ms") == "LONG 300 | -> NotArmed (NotKnown)");
 }
 
 TEST_CASE("what takes, arms or starts leaves, and leaves again, behind a heartbeat that shows no reason against it") {
-  const FlightCommand takeoff = flightCommand(22), guided = flightCommand(176, 1, 4), motor = flightCommand(209, 1);
-  for (const FlightCommand* const one : {&takeoff, &guided, &motor}) {
-    Ordering still(ClientOnLine::kArduPilot, kArmed);  // no heartbeat answers
-    still.client.send(*one, CommandRepeat::Always);
-    still.run(900);
-    CHECK(still.times(one->id, 0).empty());
-    CHECK(still.times(kRequestMessage, 0).size() > 5);
-    Ordering desk(ClientOnLine::kArduPilot, kArmed);
-    desk.client.send(*one, CommandRepeat::Always);
-    REQUIRE(desk.runUntilOrdered(one->id, 20));
-    REQUIRE(desk.runUntilOrdered(one->id, 1600));
-    desk.show(0);  // somebody has disarmed it
-    desk.run(20);
-    CHECK_FALSE(desk.runUntilOrdered(one->id, 6000));
-    CHECK((desk.client.status() == Status::Unconfirmed));
+  for (const FlightCommand& one : {flightCommand(22), flightCommand(176, 1, 4), flightCommand(209, 1)}) {
+    Ordering still(one, kArduPilot, true), desk(one, kArduPilot, true);
+    still.beatsWhenAsked = false;
+    still.client.send(one, CommandRepeat::Always);
+    CHECK(still.plays("silence, 900 ms") == "BEAT? x9");
+    desk.client.send(one, CommandRepeat::Always);
+    desk.plays("until LONG 20 ms, until LONG 1600 ms");
+    CHECK(desk.timesOf(76, 0).size() >= 2);
+    CHECK(desk.plays("disarmed, 6020 ms") == "-> Unconfirmed (NotKnown)");  // somebody has disarmed it
   }
 }
 
 TEST_CASE("arming by send() is not forced, and nothing else of a command is changed") {
-  Ordering desk;
-  const FlightCommand forced = flightCommand(kArmId, 1, 21196, 3), other = flightCommand(kVideo, 1, 21196, 3);
-  REQUIRE(desk.leavesWithin(forced, 20));
-  CHECK(valueAt<float>(desk.last(kCommandLong), 0) == 1);
-  CHECK(valueAt<float>(desk.last(kCommandLong), 4) == 0);
-  CHECK(valueAt<float>(desk.last(kCommandLong), 8) == 3);
-  desk.answer(kArmId, kAccepted);
-  CHECK((desk.ended == Status::Done));
-  REQUIRE(desk.leavesWithin(other, 10));
-  CHECK(valueAt<float>(desk.last(kCommandLong), 4) == 21196);
+  Ordering desk(flightCommand(400, 1, 21196, 3));
+  CHECK(desk.plays("send, 20 ms | answer 400 accepted") == "LONG 400 1 0 3 | -> Done (NotKnown)");
+  desk.command = flightCommand(2500, 1, 21196, 3);
+  CHECK(desk.plays("send, 10 ms") == "LONG 2500 1 21196 3");
 }
 
 TEST_CASE("arm() and disarm() are done when a heartbeat shows it, which is asked for behind the acceptance") {
   for (const bool arms : {true, false}) {
-    const uint8_t before = arms ? 0 : kArmed, after = arms ? kArmed : 0;
-    Ordering desk(ClientOnLine::kArduPilot, before);
-    if (arms) {
-      desk.client.arm();
-    } else {
-      desk.client.disarm();
-    }
-    REQUIRE(desk.runUntilOrdered(kArmId, 20));
-    const SentFrame order = desk.last(kCommandLong);
-    desk.sent.clear();
-    CHECK(valueAt<float>(order, 0) == (arms ? 1 : 0));
-    CHECK(valueAt<float>(order, 4) == 0);
-    desk.show(before);
-    desk.run(10);
-    CHECK(desk.times(kRequestMessage, 0).empty());
-    desk.hear(commandAckParts(kArmId, kAccepted));
-    REQUIRE(desk.runUntilSent(kCommandLong, 10));
-    const SentFrame question = desk.last(kCommandLong);
-    CHECK(valueAt<uint16_t>(question, 28) == kRequestMessage);
-    CHECK(valueAt<float>(question, 0) == 0);
-    CHECK(question.payload[32] == 0);
-    CHECK(desk.client.isBusy());
-    desk.show(before);  // from before
-    desk.run(90);
-    CHECK(desk.client.isBusy());
-    CHECK(desk.times(kRequestMessage, 0).size() == 1);
-    desk.run(20);
-    CHECK(desk.times(kRequestMessage, 0).size() == 2);
-    desk.show(after);
-    desk.run(5);
-    CHECK((desk.ended == Status::Done));
+    Ordering desk(kZoom, kArduPilot, !arms);
+    const std::string before = arms ? "disarmed" : "armed", after = arms ? "armed" : "disarmed";
+    CHECK(desk.plays(arms ? "arm, until LONG 20 ms" : "disarm, until LONG 20 ms") ==
+          (arms ? "LONG 400 1" : "LONG 400"));
+    desk.plays("silence");
+    desk.beatsWhenAsked = false;
+    CHECK(desk.plays(before + ", 10 ms | answer 400 accepted, 5 ms") == "| BEAT?");
+    CHECK(desk.plays(before + ", 85 ms | 20 ms") == "| BEAT?");  // from before
+    CHECK(desk.plays(after) == "-> Done (NotKnown)");
     CHECK(desk.client.isArmed() == arms);
-    CHECK(desk.times(kArmId, 0).empty());
   }
 }
 
 TEST_CASE("a heartbeat that shows it is enough where the answer was lost, and is not before anything has left") {
-  Ordering desk(ClientOnLine::kArduPilot);
-  desk.line.room = 0;
-  desk.run(1500);
-  desk.client.arm();
-  desk.run(20);
-  desk.show(kArmed);
-  desk.run(20);
+  Ordering desk(kZoom, kArduPilot);
+  CHECK(desk.plays("full, 300 ms, arm, 20 ms, armed, 20 ms") == "");
   CHECK(desk.client.isBusy());
-  desk.line.room = desk.line.kAlwaysRoom;
-  REQUIRE(desk.runUntilOrdered(kArmId, 50));
-  desk.show(kArmed);
-  desk.run(5);
-  CHECK((desk.ended == Status::Done));
+  CHECK(desk.plays("free, until LONG 50 ms, armed") == "LONG 400 1, -> Done (NotKnown)");
 }
 
 TEST_CASE("arming that nobody answers, or that is accepted and never shown, leaves once on a line that loses nothing") {
-  for (const bool isAccepted : {true, false}) {
-    Ordering desk(ClientOnLine::kArduPilot);
-    desk.client.arm();
-    REQUIRE(desk.runUntilOrdered(kArmId, 20));
-    if (isAccepted) desk.answer(kArmId, kAccepted);
-    for (int second = 0; second < 20 && desk.client.isBusy(); ++second) desk.beat(0);
-    CHECK((desk.ended == Status::Unconfirmed));
-    CHECK(desk.times(kArmId, 0).size() == 1);
+  for (const std::string answer : {"", "answer 400 accepted, "}) {
+    CHECK(Ordering(kZoom, kArduPilot).plays("arm, until LONG 20 ms, " + answer + "20 s") ==
+          "LONG 400 1, -> Unconfirmed (NotKnown)");
   }
-  Ordering lossy(ClientOnLine::kArduPilot);
-  lossy.lose(1);
-  lossy.client.arm();
-  REQUIRE(lossy.runUntilOrdered(kArmId, 1200));
-  CHECK(lossy.runUntilOrdered(kArmId, 1000));
+  CHECK(Ordering(kZoom, kArduPilot).plays("lost, arm, until LONG 1200 ms, until LONG 1 s") ==
+        "LONG 400 1, LONG 400 1 #1");
 }
 
-TEST_CASE("arm() ends when somebody has disarmed the aircraft meanwhile") {
-  Ordering desk(ClientOnLine::kArduPilot, kArmed);
-  desk.client.arm();
-  REQUIRE(desk.runUntilSent(kCommandLong, 20));
-  desk.show(0);
-  desk.run(20);
-  CHECK((desk.ended == Status::NotArmed));
-  CHECK(desk.times(kArmId, 0).empty());
+TEST_CASE("arm() ends when somebody has disarmed the aircraft meanwhile, and a refusal of it is the status") {
+  Ordering armed(kZoom, kArduPilot, true);
+  armed.beatsWhenAsked = false;
+  CHECK(armed.plays("arm, until BEAT? 20 ms, disarmed, 20 ms") == "BEAT?, -> NotArmed (NotKnown)");
+  CHECK(Ordering(kZoom, kArduPilot).plays("arm, until LONG 20 ms, answer 400 failed") ==
+        "LONG 400 1, -> CommandFailed (NotKnown)");
 }
 
-TEST_CASE("a refusal of arming is the status") {
-  Ordering desk(ClientOnLine::kArduPilot);
-  desk.client.arm();
-  REQUIRE(desk.runUntilOrdered(kArmId, 20));
-  desk.answer(kArmId, kFailed);
-  CHECK((desk.ended == Status::CommandFailed));
+TEST_CASE("nothing leaves before a heartbeat that is new, and no order that has waited for its autopilot for 10 s") {
+  Ordering desk, alone(kZoom, kArduPilot), several(kZoom, kArduPilot);
+  desk.beatsBySecond = desk.beatsWhenAsked = false;
+  desk.run(1500, 1500);  // loop() stands still
+  CHECK(desk.plays("send, 20 ms | beat, 20 ms") == "BEAT? | LONG 531 1");
+  CHECK(alone.plays("silence, 7 s, arm, 9 s | 2 s") == "| -> NoAutopilot (NotKnown)");
+  several.plays("silence, 7 s");
+  several.client.setTargetIds(0);
+  several.plays("arm");
+  FrameParts beat = heartbeatParts(kArduPilot);
+  for (int i = 0; i < 24; ++i) {
+    beat.systemId = static_cast<uint8_t>(1 + i % 2);
+    several.line.bring(packed(beat));
+    several.pass(500);
+  }
+  CHECK(several.told == std::vector<Status>{Status::SeveralAutopilots});
+}
+
+TEST_CASE("of an aircraft that a pilot has taken the motors are not started, and may be stopped") {
+  steered::Aircraft copter(kArduPilot);
+  copter.fly(steered::kGuided);
+  copter.steering.requestControl();
+  copter.pass(1000);
+  copter.show(steered::kLoiter);
+  REQUIRE((copter.client.takenBy() == Status::PilotHasIt));
+  const FlightCommand arm = flightCommand(400, 1), stop = flightCommand(400, -0.f);
+  copter.client.send(arm);
+  CHECK((copter.end() == Status::PilotHasIt));
+  copter.client.send(stop);
+  CHECK((copter.end() == Status::Done));
 }
 
 TEST_CASE("a message's interval is set with its number and the microseconds") {
-  const struct {
-    uint16_t message;
-    int32_t us;
-  } kIntervals[] = {{30, 100000}, {340, -1}, {65535, 0}};
-  for (const auto& one : kIntervals) {
-    Ordering desk;
-    CHECK((desk.client.setMessageInterval(one.message, one.us) == Status::WaitingForAutopilot));
-    REQUIRE(desk.runUntilSent(kCommandLong, 10));
-    CHECK(valueAt<uint16_t>(desk.last(kCommandLong), 28) == kSetInterval);
-    CHECK(valueAt<float>(desk.last(kCommandLong), 0) == one.message);
-    CHECK(valueAt<float>(desk.last(kCommandLong), 4) == static_cast<float>(one.us));
-    desk.answer(kSetInterval, kAccepted);
-    CHECK((desk.ended == Status::Done));
-  }
+  const auto set = [](uint16_t message, int32_t us) {
+    Conversation desk(kPx4);
+    CHECK((desk.client.setMessageInterval(message, us) == Status::WaitingForAutopilot));
+    return desk.plays("10 ms, answer 511 accepted");
+  };
+  CHECK(set(30, 100000) == "LONG 511 30 100000, -> Done (NotKnown)");
+  CHECK(set(340, -1) == "LONG 511 340 -1, -> Done (NotKnown)");
+  CHECK(set(65535, 0) == "LONG 511 65535, -> Done (NotKnown)");
 }
 
 TEST_CASE("a second command is refused, and the running one keeps all that it is about") {
-  Ordering desk(ClientOnLine::kPx4, kArmed);
-  desk.client.setCurrentItem(3);
+  Ordering desk(kVideo, kPx4, true);
   const auto refuseAll = [&] {
-    CHECK((desk.client.send(kOther) == Status::Busy));
+    CHECK((desk.client.send(kZoom) == Status::Busy));
     CHECK((desk.client.arm() == Status::Busy));
     CHECK((desk.client.setMode(FlightMode::Hold) == Status::Busy));
     CHECK((desk.client.setCustomMode(7) == Status::Busy));
@@ -487,120 +274,59 @@ TEST_CASE("a second command is refused, and the running one keeps all that it is
     CHECK((desk.client.start(9) == Status::Busy));
     CHECK((desk.client.startMission() == Status::Busy));
   };
+  desk.client.setCurrentItem(3);
   refuseAll();
-  REQUIRE(desk.runUntilSent(kCommandLong, 10));
-  CHECK(valueAt<float>(desk.last(kCommandLong), 0) == 3);
+  CHECK(desk.plays("10 ms") == "LONG 224 3");
   refuseAll();
-  desk.answer(kSetCurrentId, kAccepted);
+  CHECK(desk.plays("answer 224 accepted") == "-> Done (NotKnown)");
   desk.client.setMessageInterval(30, 1000);
   refuseAll();
-  REQUIRE(desk.runUntilSent(kCommandLong, 10));
-  CHECK(valueAt<float>(desk.last(kCommandLong), 0) == 30);
-  CHECK(valueAt<float>(desk.last(kCommandLong), 4) == 1000);
-  desk.answer(kSetInterval, kAccepted);
-  desk.sent.clear();
-  desk.client.send(kOne);
+  CHECK(desk.plays("10 ms | answer 511 accepted") == "LONG 511 30 1000 | -> Done (NotKnown)");
+  desk.plays("send");
   refuseAll();
-  REQUIRE(desk.runUntilSent(kCommandLong, 10));
-  CHECK(valueAt<uint16_t>(desk.last(kCommandLong), 28) == kVideo);
+  CHECK(desk.plays("10 ms") == "LONG 2500 1 2 3 4 5 6 7");
 }
-
-namespace {
-
-// The plan, or a fence behind it, is aboard.
-void accept(Ordering& desk, PlanType type = PlanType::Mission) {
-  const MissionItem fence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
-  desk.beats = true;
-  desk.client.verify(type == PlanType::Mission ? inRam(kPlan) : inRam(fence), type);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  if (type == PlanType::Fence) return desk.client.cancel();
-  const uint16_t home = desk.kind == ClientOnLine::kArduPilot ? 1 : 0;
-  desk.hear(countParts(static_cast<uint16_t>(2 + home)));
-  desk.run(5);
-  if (home != 0) desk.hear(itemParts(0, homeItem()));
-  desk.run(5);
-  for (uint16_t item = 0; item < 2; ++item) {
-    MissionItem given = kPlan[item];
-    if (home != 0 && given.param4 != given.param4) given.param4 = 0;
-    desk.hear(itemParts(static_cast<uint16_t>(item + home), given));
-    desk.run(5);
-  }
-  REQUIRE((desk.client.aboard() == Aboard::OurPlan));
-}
-
-}  // namespace
 
 TEST_CASE("an item is made current by the autopilot's number, if the plan that is aboard has it") {
-  for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    const uint16_t home = autopilot == ClientOnLine::kArduPilot ? 1 : 0;
-    Ordering desk(autopilot);
+  for (const uint8_t autopilot : {kArduPilot, kPx4}) {
+    const auto order = [&](uint16_t item) { return "LONG 224 " + std::to_string(item + (autopilot == kArduPilot)); };
+    Ordering desk(kZoom, autopilot);
     // Nothing is known of the plan.
     desk.client.setCurrentItem(7);
-    REQUIRE(desk.runUntilSent(kCommandLong, 10));
-    CHECK(valueAt<uint16_t>(desk.last(kCommandLong), 28) == kSetCurrentId);
-    CHECK(valueAt<float>(desk.last(kCommandLong), 0) == 7 + home);
-    desk.answer(kSetCurrentId, kFailed);
-    CHECK((desk.ended == Status::CommandFailed));
-    CHECK((desk.client.failedItem() == MissionClient::kNoItem));
+    CHECK(desk.plays("10 ms") == order(7));
+    CHECK(desk.plays("answer 224 failed") == "-> CommandFailed (NotKnown)");
     desk.client.setCurrentItem(MissionClient::kNoItem);
-    desk.run(20);
-    CHECK((desk.ended == Status::NoSuchItem));
-    accept(desk);
-    desk.ended = Status::Idle;
-    desk.sent.clear();
+    CHECK(desk.plays("20 ms") == "-> NoSuchItem (NotKnown)");
+    desk.plays("verify, until LIST, count, items");
     desk.client.setCurrentItem(2);
-    desk.run(20);
-    CHECK((desk.ended == Status::NoSuchItem));
-    CHECK(desk.client.failedItem() == 2);
-    CHECK(desk.times(kSetCurrentId, 0).empty());
+    CHECK(desk.plays("20 ms") == "-> NoSuchItem at 2 (OurPlan)");
     desk.client.setCurrentItem(1);
-    REQUIRE(desk.runUntilSent(kCommandLong, 10));
-    CHECK(valueAt<float>(desk.last(kCommandLong), 0) == 1 + home);
-    desk.answer(kSetCurrentId, kAccepted);
-    CHECK((desk.ended == Status::Done));
+    CHECK(desk.plays("10 ms") == order(1));
+    CHECK(desk.plays("answer 224 accepted") == "-> Done (OurPlan)");
     // A fence was looked at since: its number of items says nothing.
-    accept(desk, PlanType::Fence);
-    desk.sent.clear();
+    desk.isAbout(inRam(kFence), PlanType::Fence).plays("verify, until LIST, cancel, 5 ms");
     desk.client.setCurrentItem(2);
-    CHECK(desk.runUntilSent(kCommandLong, 10));
+    CHECK(desk.plays("10 ms") == order(2));
   }
 }
 
 TEST_CASE(
     "an item that the autopilot refuses to make current is not tried by the older message, unless it is unknown") {
-  for (const uint8_t result : {uint8_t{1}, uint8_t{2}, kUnsupported, kFailed}) {
+  for (const std::string answer : {"rejected", "denied", "failed", "unsupported"}) {
     Ordering desk;
     desk.client.setCurrentItem(0);
-    REQUIRE(desk.runUntilSent(kCommandLong, 10));
-    desk.answer(kSetCurrentId, result);
-    CHECK(desk.timesOf(41, 0).empty() == (result != kUnsupported));
-    CHECK(desk.client.isBusy() == (result == kUnsupported));
+    desk.plays("10 ms, answer 224 " + answer);
+    CHECK(desk.timesOf(41, 0).empty() == (answer != "unsupported"));
+    CHECK(desk.client.isBusy() == (answer == "unsupported"));
   }
 }
 
 TEST_CASE("MISSION_CURRENT is no answer to the command, and the older message is repeated until it comes") {
   Ordering desk;
   desk.client.setCurrentItem(2);
-  REQUIRE(desk.runUntilSent(kCommandLong, 10));
-  const FrameParts current(42, {2, 0, 6, 0, 3}, 28), wrong(42, {1, 0, 6, 0, 3}, 28);
-  desk.hear(current);
-  desk.run(5);
-  CHECK(desk.client.isBusy());
-  desk.line.room = 0;
-  desk.run(1200);  // our heartbeat waits for room, and so does what follows
-  desk.answer(kSetCurrentId, kUnsupported);
-  desk.hear(current);  // the message has not left
-  desk.run(5);
-  CHECK(desk.client.isBusy());
-  desk.line.room = desk.line.kAlwaysRoom;
-  REQUIRE(desk.runUntilSent(41, 20));
-  const uint32_t firstMs = desk.nowMs();
-  desk.live(3100);
-  CHECK(desk.timesOf(41, firstMs) == Times{0, 1500, 3000});
-  desk.hear(wrong);
-  desk.run(5);
-  CHECK(desk.client.isBusy());
-  desk.hear(current);
-  desk.run(5);
-  CHECK((desk.ended == Status::Done));
+  CHECK(desk.plays("10 ms | current 2 of 6") == "LONG 224 2 |");
+  // Our heartbeat waits for room, and so does what follows: the message has not left.
+  CHECK(desk.plays("full, answer 224 unsupported, current 2 of 6") == "");
+  CHECK(desk.plays("free, until CURRENT 20 ms, clock, 3100 ms | current 1 of 6 | current 2 of 6") ==
+        "CURRENT 2 @0 1500 3000 | | -> Done (NotKnown) @3106");
 }

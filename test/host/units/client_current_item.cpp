@@ -2,70 +2,36 @@
 // MISSION_CURRENT.
 #include <doctest/doctest.h>
 
-#include "ClientOnLine.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-const uint16_t kSetCurrent = 41, kCommandLong = 76;
-const uint8_t kActive = 3;  // MISSION_STATE_ACTIVE
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
 
-uint8_t low(uint16_t word) { return static_cast<uint8_t>(word & 255); }
-uint8_t high(uint16_t word) { return static_cast<uint8_t>(word >> 8); }
-
-FrameParts currentParts(uint16_t item, uint16_t total) {
-  return FrameParts(42, {low(item), high(item), low(total), high(total), kActive}, 28);
-}
-
-// The command is sent, answered with MAV_RESULT_UNSUPPORTED, and the message follows.
-void orderByMessage(ClientOnLine& desk, uint16_t item, uint16_t wireItem) {
-  desk.run(3000);
+// What follows the older message.
+std::string ordered(uint8_t autopilot, uint16_t item, const std::string& events) {
+  Conversation desk(autopilot);
+  const std::string number = std::to_string(item + (autopilot == kArduPilot ? 1 : 0));
   desk.client.setCurrentItem(item);
-  REQUIRE(desk.runUntilSent(kCommandLong, 3000));
-  const uint16_t command = 224;
-  desk.hear(FrameParts(77, {low(command), high(command), 3, 0, 0, 0, 0, 0, 1, 191}, 143));
-  REQUIRE(desk.runUntilSent(kSetCurrent, 1000));
-  CHECK(desk.sent.back().payload[0] == wireItem);
+  const std::string all = desk.plays("20 ms, answer 224 unsupported, 20 ms | " + events);
+  const std::string begun = (number == "0" ? "LONG 224" : "LONG 224 " + number) + ", CURRENT " + number + " | ";
+  return all.compare(0, begun.size(), begun) == 0 ? all.substr(begun.size()) : "not ordered: " + all;
 }
 
 }  // namespace
 
 TEST_CASE("an item is current when MISSION_CURRENT names it, and not before") {
-  for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    const uint16_t wireItem = autopilot == ClientOnLine::kArduPilot ? 3 : 2;
-    ClientOnLine desk(autopilot);
-    orderByMessage(desk, 2, wireItem);
-    desk.hear(currentParts(1, 0));  // a total of 0: the autopilot does not tell it
-    desk.hear(currentParts(1, 6));
-    desk.run(100);
-    CHECK(desk.client.isBusy());
-    desk.hear(currentParts(wireItem, 6));
-    desk.run(100);
-    CHECK((desk.ended == Status::Done));
-  }
+  // A total of 0: the autopilot does not tell it.
+  CHECK(ordered(kArduPilot, 2, "current 1 of 0, current 1 of 6, 100 ms | current 3 of 6") == "| -> Done (NotKnown)");
+  CHECK(ordered(kPx4, 2, "current 1 of 0, current 1 of 6, 100 ms | current 2 of 6") == "| -> Done (NotKnown)");
 }
 
 TEST_CASE("the last item of a plan can be current, and the one behind it cannot") {
-  for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    const bool isHomeCounted = autopilot == ClientOnLine::kArduPilot;
-    for (const uint16_t item : {5, 6}) {
-      ClientOnLine desk(autopilot);
-      orderByMessage(desk, item, isHomeCounted ? item + 1 : item);
-      desk.hear(currentParts(1, 6));  // the total, in which home is not counted
-      desk.run(100);
-      CHECK(desk.client.isBusy() == (item == 5));
-      if (item == 5) continue;
-      CHECK((desk.ended == Status::NoSuchItem));
-      CHECK(desk.client.failedItem() == 6);
-    }
+  for (const uint8_t autopilot : {kArduPilot, kPx4}) {  // in the total home is not counted
+    CHECK(ordered(autopilot, 5, "current 1 of 6, 100 ms |") == "|");
+    CHECK(ordered(autopilot, 6, "current 1 of 6, 100 ms |") == "-> NoSuchItem at 6 (NotKnown) |");
   }
-}
-
-TEST_CASE("a PX4 without a plan has no item that could be current") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  orderByMessage(desk, 0, 0);
-  desk.hear(currentParts(1, 0xFFFF));
-  desk.run(100);
-  CHECK((desk.ended == Status::NoSuchItem));
+  CHECK(ordered(kPx4, 0, "current 1 of 65535") == "-> NoSuchItem at 0 (NotKnown)");  // without a plan
 }
