@@ -1,95 +1,52 @@
 // Modes by a whole client: by name and by number, which vehicle an ArduPilot is, and what somebody else sets meanwhile.
 #include <doctest/doctest.h>
-#include <string.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr uint16_t kCommandLong = 76, kSetMode = 176, kTransition = 3000, kRequestMessage = 512;
-constexpr uint8_t kAccepted = 0, kUnsupported = 3, kFailed = 4;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4, kOther = Conversation::kOther;
 constexpr uint8_t kPlaneType = 1, kCopterType = 2, kRocketType = 9, kQuadPlaneType = 20;  // HEARTBEAT.type
 constexpr uint32_t kStabilize = 0, kLoiter = 5, kGuided = 4;
 constexpr uint32_t kPlaneAuto = 10, kPlaneRtl = 11, kPlaneGuided = 15, kPlaneQRtl = 21;
 constexpr uint32_t kPx4Position = 3ul << 16, kPx4Hold = 4ul << 16 | 3ul << 24;
 
-template <typename Value>
-Value valueAt(const SentFrame& frame, size_t at) {
-  Value value;
-  memcpy(&value, &frame.payload[at], sizeof(value));
-  return value;
-}
-
-struct Ordering : ClientOnLine {
-  const uint8_t kind;
-  const uint8_t type;
-  uint8_t baseMode = 1;
-  uint32_t mode;
-
-  Ordering(uint8_t autopilot, uint8_t is, uint32_t shown)
-      : ClientOnLine(autopilot), kind(autopilot), type(is), mode(shown) {
-    beats = false;
+// A vehicle that the test answers for when it is asked which one it is (3000: DO_VTOL_TRANSITION).
+struct Ordering : Conversation {
+  explicit Ordering(uint8_t autopilot = kArduPilot, uint8_t is = kCopterType, uint32_t shown = kStabilize)
+      : Conversation(autopilot, 65000, 0) {
+    vehicle = is;
+    mode = shown;
     saysVehicle = false;
-    for (int second = 0; second < 3; ++second) {
-      show(mode);
-      run(1000);
-    }
-    sent.clear();
+    pass(3000);
   }
-  void show(uint32_t customMode) {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = customMode;
-    message.type = type;
-    message.autopilot = kind;
-    message.base_mode = baseMode;
-    message.system_status = 4;
-    message.mavlink_version = 3;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    hear(FrameParts(0, payload, 50));
+  Ordering& sets(FlightMode named) {
+    client.setMode(named);
+    return *this;
   }
-  void answer(uint16_t command, uint8_t result) {
-    hear(commandAckParts(command, result));
-    run(2);
+  Ordering& sets(uint32_t number) {
+    client.setCustomMode(number);
+    return *this;
   }
-  static bool isCommand(const SentFrame& frame, uint16_t id) {
-    return frame.messageId == kCommandLong && valueAt<uint16_t>(frame, 28) == id;
+  // It shows its mode when the test says so, and not before.
+  Ordering& quiet() {
+    beatsBySecond = beatsWhenAsked = false;
+    return *this;
   }
-  size_t count(uint16_t id) const {
-    size_t all = 0;
-    for (const SentFrame& frame : sent) all += isCommand(frame, id) ? 1 : 0;
-    return all;
-  }
-  const SentFrame& last(uint16_t id) const {
-    for (size_t i = sent.size(); i != 0; --i) {
-      if (isCommand(sent[i - 1], id)) return sent[i - 1];
-    }
-    FAIL("no such command has left");
-    return sent.back();
-  }
-  // Until a command with this id leaves; each request for a heartbeat is answered, with what flies.
-  bool runUntilOrdered(uint16_t id, uint32_t limitMs) {
-    const size_t before = count(id);
-    for (uint32_t at = 0; at < limitMs; ++at) {
-      const size_t asked = count(kRequestMessage);
-      run(1);
-      if (count(id) != before) return true;
-      if (count(kRequestMessage) != asked) show(mode);
-    }
-    return false;
-  }
-  // The same until the operation ends.
-  Status outcome(uint32_t limitMs) {
-    for (uint32_t at = 0; at < limitMs && client.isBusy(); ++at) {
-      const size_t asked = count(kRequestMessage);
-      if (at % 1000 == 0) show(mode);
-      run(1);
-      if (count(kRequestMessage) != asked) show(mode);
-    }
-    return client.status();
+};
+
+// The order to set GUIDED, five times.
+const std::string kFiveTimes = "LONG 176 1 4, LONG 176 1 4 #1, LONG 176 1 4 #2, LONG 176 1 4 #3, LONG 176 1 4 #4";
+
+// GUIDED has been ordered, and somebody has set LOITER before that arrived: it is undone, and a heartbeat shows that.
+struct Undone : Ordering {
+  Undone() {
+    sets(kGuided).plays("10 ms");
+    quiet();
+    plays("mode 5");
+    CHECK(plays("mode 4") == "LONG 176 1 5, BEAT?");
   }
 };
 
@@ -97,446 +54,249 @@ struct Ordering : ClientOnLine {
 
 TEST_CASE("an ArduPilot that does not say that it is a plane is asked once which vehicle it is") {
   const struct {
-    uint8_t result;
-    uint32_t guided;
-  } kVehicles[] = {{kUnsupported, kGuided}, {kFailed, kPlaneGuided}};
+    const char *answer, *guided, *hold;
+    uint32_t mode;
+  } kVehicles[] = {{"unsupported", "LONG 176 1 4", "LONG 176 1 5", kGuided},
+                   {"failed", "LONG 176 1 15", "LONG 176 1 12", kPlaneGuided}};
   for (const auto& vehicle : kVehicles) {
-    Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-    desk.client.setMode(FlightMode::Guided);
-    REQUIRE(desk.runUntilOrdered(kTransition, 20));
-    const SentFrame question = desk.last(kTransition);
-    for (size_t i = 0; i < 7; ++i) CHECK(valueAt<float>(question, 4 * i) == 0);  // to no state: it changes nothing
-    desk.run(1200);
-    CHECK(desk.count(kSetMode) == 0);
-    desk.hear(commandAckParts(kTransition, vehicle.result));
-    REQUIRE(desk.runUntilOrdered(kSetMode, 50));
+    Ordering desk;
+    CHECK(desk.sets(FlightMode::Guided).plays("10 ms, silence, 1200 ms, beat") == "LONG 3000");  // to no state
+    desk.beatsWhenAsked = false;
+    // No order leaves behind an old heartbeat.
+    CHECK(desk.plays(std::string("answer 3000 ") + vehicle.answer + " | beat") ==
+          std::string("BEAT? | ") + vehicle.guided);
     CHECK(desk.client.lastResult() == 255);
-    CHECK(desk.count(kRequestMessage) == 1);  // no order leaves behind an old heartbeat
-    const SentFrame order = desk.last(kSetMode);
-    CHECK(valueAt<float>(order, 0) == 1);
-    CHECK(valueAt<float>(order, 4) == static_cast<float>(vehicle.guided));
-    CHECK(valueAt<float>(order, 8) == 0);
-    desk.mode = vehicle.guided;
-    desk.answer(kSetMode, kAccepted);
-    CHECK((desk.outcome(1000) == Status::Done));
-    desk.client.setMode(FlightMode::Hold);
-    REQUIRE(desk.runUntilOrdered(kSetMode, 50));
-    CHECK(desk.count(kTransition) == 1);
+    desk.mode = vehicle.mode;
+    CHECK(desk.plays("answer 176 accepted, beat") == "BEAT?, -> Done (NotKnown)");
+    desk.beatsWhenAsked = true;
+    CHECK(desk.sets(FlightMode::Hold).plays("50 ms") == vehicle.hold);
   }
 }
 
 TEST_CASE("neither PX4 nor a plane that says so is asked which vehicle it is") {
-  Ordering px4(ClientOnLine::kPx4, kCopterType, kPx4Position), plane(ClientOnLine::kArduPilot, kPlaneType, kStabilize);
-  px4.client.setMode(FlightMode::Hold);
-  REQUIRE(px4.runUntilOrdered(kSetMode, 50));
-  CHECK(px4.count(kTransition) == 0);
-  CHECK(valueAt<float>(px4.last(kSetMode), 0) == 1);
-  CHECK(valueAt<float>(px4.last(kSetMode), 4) == 4);
-  CHECK(valueAt<float>(px4.last(kSetMode), 8) == 3);
+  Ordering px4(kPx4, kCopterType, kPx4Position), plane(kArduPilot, kPlaneType);
+  CHECK(px4.sets(FlightMode::Hold).plays("50 ms") == "LONG 176 1 4 3");
   px4.mode = kPx4Hold;
-  CHECK((px4.outcome(1000) == Status::Done));
-  plane.client.setMode(FlightMode::Guided);
-  REQUIRE(plane.runUntilOrdered(kSetMode, 50));
-  CHECK(plane.count(kTransition) == 0);
-  CHECK(valueAt<float>(plane.last(kSetMode), 4) == kPlaneGuided);
+  CHECK(px4.plays("1 s") == "-> Done (NotKnown)");
+  CHECK(plane.sets(FlightMode::Guided).plays("50 ms") == "LONG 176 1 15");
 }
 
 TEST_CASE("another answer to that question, or none, is the end") {
-  Ordering denied(ClientOnLine::kArduPilot, kCopterType, kStabilize), silent(ClientOnLine::kArduPilot, kCopterType, 0);
-  denied.client.setMode(FlightMode::Guided);
-  REQUIRE(denied.runUntilOrdered(kTransition, 20));
-  denied.answer(kTransition, kAccepted);
-  denied.show(kGuided);
-  denied.run(5);
-  CHECK(denied.client.isBusy());
+  Ordering denied, silent;
+  CHECK(denied.sets(FlightMode::Guided).plays("20 ms | answer 3000 accepted, mode 4") == "LONG 3000 |");
   CHECK((denied.client.status() == Status::Transferring));
-  denied.client.cancel();
-  denied.run(5);
-  denied.client.setMode(FlightMode::Guided);
-  REQUIRE(denied.runUntilOrdered(kTransition, 2000));
-  denied.answer(kTransition, 2);
-  CHECK((denied.ended == Status::CommandDenied));
-  silent.client.setMode(FlightMode::Guided);
-  CHECK((silent.outcome(9000) == Status::NoAnswer));
-  CHECK(silent.count(kTransition) == 5);
-  CHECK(silent.count(kSetMode) == 0);
+  denied.plays("cancel, 5 ms");
+  CHECK(denied.sets(FlightMode::Guided).plays("until LONG 2 s, answer 3000 denied") ==
+        "LONG 3000, -> CommandDenied (NotKnown)");
+  CHECK(silent.sets(FlightMode::Guided).plays("9 s") ==
+        "LONG 3000, LONG 3000 #1, LONG 3000 #2, LONG 3000 #3, LONG 3000 #4, -> NoAnswer (NotKnown)");
 }
 
 TEST_CASE("behind that question the order is repeated as any other") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setMode(FlightMode::Guided);
-  REQUIRE(desk.runUntilOrdered(kTransition, 20));
-  desk.answer(kTransition, kUnsupported);
-  CHECK((desk.outcome(9000) == Status::NoAnswer));
-  CHECK(desk.count(kSetMode) == 5);
+  CHECK(Ordering().sets(FlightMode::Guided).plays("20 ms, answer 3000 unsupported, 9 s") ==
+        "LONG 3000, " + kFiveTimes + ", -> NoAnswer (NotKnown)");
 }
 
 TEST_CASE("a quadplane that returns near home shows QRTL: by its name that is its return, by its number another mode") {
   const struct {
     bool isNamed;
     uint32_t shown;
-    Status end;
-  } kWays[] = {{true, kPlaneQRtl, Status::Done},
-               {true, kPlaneRtl, Status::Done},
-               {true, kPlaneAuto, Status::TakenOver},
-               {false, kPlaneRtl, Status::Done},
-               {false, kPlaneQRtl, Status::TakenOver}};
+    const char* end;
+  } kWays[] = {{true, kPlaneQRtl, "-> Done (NotKnown)"},
+               {true, kPlaneRtl, "-> Done (NotKnown)"},
+               {true, kPlaneAuto, "-> TakenOver (NotKnown)"},
+               {false, kPlaneRtl, "-> Done (NotKnown)"},
+               {false, kPlaneQRtl, "-> TakenOver (NotKnown)"}};
   for (const auto& way : kWays) {
-    Ordering plane(ClientOnLine::kArduPilot, kQuadPlaneType, kPlaneGuided);
-    way.isNamed ? plane.client.setMode(FlightMode::ReturnToLaunch) : plane.client.setCustomMode(kPlaneRtl);
-    REQUIRE(plane.runUntilOrdered(kSetMode, 50));
+    Ordering plane(kArduPilot, kQuadPlaneType, kPlaneGuided);
+    way.isNamed ? plane.sets(FlightMode::ReturnToLaunch) : plane.sets(kPlaneRtl);
+    CHECK(plane.plays("50 ms") == "LONG 176 1 11");
     plane.mode = way.shown;
-    plane.answer(kSetMode, kAccepted);
-    CHECK((plane.outcome(4000) == way.end));
+    CHECK(plane.plays("answer 176 accepted, 4 s") == way.end);
   }
-  Ordering near(ClientOnLine::kArduPilot, kQuadPlaneType, kPlaneQRtl);
-  near.client.setMode(FlightMode::Auto);  // away from it, it is the mode of before
-  REQUIRE(near.runUntilOrdered(kSetMode, 50));
+  Ordering near(kArduPilot, kQuadPlaneType, kPlaneQRtl);
+  near.sets(FlightMode::Auto).plays("50 ms");  // away from it, it is the mode of before
   near.mode = kPlaneAuto;
-  near.answer(kSetMode, kAccepted);
-  CHECK((near.outcome(1000) == Status::Done));
+  CHECK(near.plays("answer 176 accepted, 1 s") == "-> Done (NotKnown)");
 }
 
 TEST_CASE("a mode that the vehicle does not have is not ordered") {
-  Ordering rocket(ClientOnLine::kArduPilot, kRocketType, 0), px4(ClientOnLine::kPx4, kCopterType, kPx4Position);
-  rocket.client.setMode(FlightMode::Guided);
-  px4.client.setMode(FlightMode::Brake);
-  for (Ordering* desk : {&rocket, &px4}) {
-    desk->run(20);
-    CHECK((desk->ended == Status::NoSuchMode));
-    CHECK(desk->count(kTransition) == 0);
-    CHECK(desk->count(kSetMode) == 0);
-  }
+  CHECK(Ordering(kArduPilot, kRocketType).sets(FlightMode::Guided).plays("20 ms") == "-> NoSuchMode (NotKnown)");
+  CHECK(Ordering(kPx4, kCopterType, kPx4Position).sets(FlightMode::Brake).plays("20 ms") == "-> NoSuchMode (NotKnown)");
 }
 
 TEST_CASE("a mode by its number has one byte on an ArduPilot, and on a PX4 two that lie higher") {
   const struct {
     uint8_t autopilot;
     uint32_t number;
-    bool isOrdered;
-    float main, sub;
-  } kModes[] = {{ClientOnLine::kArduPilot, 254, true, 254, 0},
-                {ClientOnLine::kArduPilot, 255, true, 255, 0},
-                {ClientOnLine::kArduPilot, 256, false, 0, 0},
-                {ClientOnLine::kArduPilot, 257, false, 0, 0},
-                {ClientOnLine::kArduPilot, kPx4Hold, false, 0, 0},
-                {ClientOnLine::kArduPilot, 3, true, 3, 0},
-                {ClientOnLine::kPx4, kPx4Hold, true, 4, 3},
-                {ClientOnLine::kPx4, 2ul << 16, true, 2, 0},
-                {ClientOnLine::kPx4, 7ul << 16 | 9ul << 24, true, 7, 9},
-                {ClientOnLine::kOther, 300, true, 300 & 255, 1}};
+    const char* order;
+  } kModes[] = {{kArduPilot, 254, "LONG 176 1 254"},
+                {kArduPilot, 255, "LONG 176 1 255"},
+                {kArduPilot, 256, nullptr},
+                {kArduPilot, 257, nullptr},
+                {kArduPilot, kPx4Hold, nullptr},
+                {kArduPilot, 3, "LONG 176 1 3"},
+                {kPx4, kPx4Hold, "LONG 176 1 4 3"},
+                {kPx4, 2ul << 16, "LONG 176 1 2"},
+                {kPx4, 7ul << 16 | 9ul << 24, "LONG 176 1 7 9"},
+                {kOther, 300, "LONG 176 1 44 1"}};
   for (const auto& one : kModes) {
-    CAPTURE(one.number);
-    Ordering desk(one.autopilot, kCopterType, kStabilize);
-    desk.client.setCustomMode(one.number);
-    CHECK(desk.runUntilOrdered(kSetMode, 100) == one.isOrdered);
-    CHECK(desk.count(kTransition) == 0);
-    if (!one.isOrdered) {
-      CHECK((desk.ended == Status::NoSuchMode));
+    Ordering desk(one.autopilot);
+    CHECK(desk.sets(one.number).plays("20 ms") == (one.order == nullptr ? "-> NoSuchMode (NotKnown)" : one.order));
+    if (one.order == nullptr) {
       for (const Status status : desk.returned) CHECK((status != Status::Transferring));
       continue;
     }
-    CHECK(valueAt<float>(desk.last(kSetMode), 0) == 1);
-    CHECK(valueAt<float>(desk.last(kSetMode), 4) == one.main);
-    CHECK(valueAt<float>(desk.last(kSetMode), 8) == one.sub);
     desk.mode = one.number;
-    desk.answer(kSetMode, kAccepted);
-    CHECK((desk.outcome(2000) == Status::Done));
+    CHECK(desk.plays("answer 176 accepted, 2 s") == "-> Done (NotKnown)");
     CHECK(desk.client.customMode() == one.number);
   }
 }
 
 TEST_CASE("a second mode is refused, and the first one is ordered") {
-  ClientOnLine desk(ClientOnLine::kPx4);
+  Ordering desk(kPx4);
   CHECK((desk.client.setMode(FlightMode::Land) == Status::WaitingForAutopilot));
   CHECK((desk.client.setMode(FlightMode::Hold) == Status::Busy));
-  for (int i = 0; i < 3; ++i) {
-    REQUIRE(desk.runUntilSent(kCommandLong, 4000));
-    if (Ordering::isCommand(desk.sent.back(), kSetMode)) break;
-    desk.hear(heartbeatParts(ClientOnLine::kPx4));
-  }
-  CHECK(valueAt<float>(desk.sent.back(), 4) == 4);
-  CHECK(valueAt<float>(desk.sent.back(), 8) == 6);  // AUTO, LAND
+  CHECK(desk.plays("20 ms") == "LONG 176 1 4 6");  // AUTO, LAND
 }
 
 TEST_CASE("on a lossy link, an order that was accepted is not sent again before a heartbeat must have shown it") {
-  for (const bool isAccepted : {false, true}) {
-    Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-    Bytes broken = packed(heartbeatParts(ClientOnLine::kArduPilot));
-    broken[12] = static_cast<uint8_t>(broken[12] ^ 1);
-    desk.line.bring(broken);
-    desk.run(100);
-    desk.client.setCustomMode(kGuided);
-    REQUIRE(desk.runUntilOrdered(kSetMode, 20));
-    if (isAccepted) desk.answer(kSetMode, kAccepted);
-    CHECK(desk.runUntilOrdered(kSetMode, 1400) != isAccepted);
-  }
+  const auto behind = [](const std::string& events) {
+    Ordering desk;
+    desk.plays("broken, 40 ms");
+    return desk.sets(kGuided).plays("20 ms | " + events);
+  };
+  CHECK(behind("1400 ms") == "LONG 176 1 4 | LONG 176 1 4 #1, LONG 176 1 4 #2, LONG 176 1 4 #3");
+  CHECK(behind("answer 176 accepted, 1395 ms") == "LONG 176 1 4 |");
 }
 
 TEST_CASE("a mode that flies already is not ordered") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kGuided);
-  desk.client.setCustomMode(kGuided);
-  CHECK((desk.outcome(1500) == Status::Done));
-  CHECK(desk.count(kSetMode) == 0);
+  CHECK(Ordering(kArduPilot, kCopterType, kGuided).sets(kGuided).plays("1500 ms") == "-> Done (NotKnown)");
 }
 
 TEST_CASE("an order leaves right behind a heartbeat, which is asked for, and again 100 ms later") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilSent(kCommandLong, 20));
-  const uint32_t askedMs = desk.nowMs();
-  CHECK(Ordering::isCommand(desk.sent.back(), kRequestMessage));
-  for (size_t i = 0; i < 7; ++i) CHECK(valueAt<float>(desk.sent.back(), 4 * i) == 0);  // HEARTBEAT
-  desk.run(350);
-  CHECK(desk.timesOf(kCommandLong, askedMs) == std::vector<uint32_t>{0, 100, 200, 300});
-  CHECK(desk.count(kSetMode) == 0);
-  desk.show(kStabilize);
-  REQUIRE(desk.runUntilSent(kCommandLong, 3));
-  CHECK(Ordering::isCommand(desk.sent.back(), kSetMode));
-  CHECK(desk.sent.back().payload[32] == 0);
+  Ordering desk;
+  CHECK(desk.quiet().sets(kGuided).plays("until BEAT?, clock, 350 ms") == "BEAT? @0 100 200 300");
+  desk.hear(heartbeatParts(kArduPilot));
+  CHECK(desk.plays("3 ms") == "LONG 176 1 4");
 }
 
 TEST_CASE("a mode that somebody else sets before the order leaves stays") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilSent(kCommandLong, 20));
-  desk.show(kLoiter);
-  desk.run(5);
-  CHECK((desk.ended == Status::TakenOver));
-  CHECK(desk.count(kSetMode) == 0);
+  CHECK(Ordering().quiet().sets(kGuided).plays("until BEAT? 20 ms, mode 5") == "BEAT?, -> TakenOver (NotKnown)");
 }
 
 TEST_CASE("an accepted order that no heartbeat shows is unconfirmed, and the others are refused or not answered") {
-  for (const int answer : {-1, 0, 4}) {
-    Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-    desk.client.setCustomMode(kGuided);
-    REQUIRE(desk.runUntilOrdered(kSetMode, 20));
-    if (answer >= 0) desk.answer(kSetMode, static_cast<uint8_t>(answer));
-    const Status expected = answer < 0 ? Status::NoAnswer : answer == 0 ? Status::Unconfirmed : Status::CommandFailed;
-    CHECK((desk.outcome(10000) == expected));
-    CHECK(desk.count(kSetMode) == (answer < 0 ? 5 : 1));
-  }
-}
-
-TEST_CASE("a mode that PX4 accepts and then refuses is refused") {
-  Ordering desk(ClientOnLine::kPx4, kCopterType, kPx4Position);
-  desk.client.setMode(FlightMode::Guided);
-  REQUIRE(desk.runUntilOrdered(kSetMode, 50));
-  desk.hear(commandAckParts(kSetMode, kAccepted));
-  desk.answer(kSetMode, 1);
-  CHECK((desk.ended == Status::CommandRejected));
+  const auto ends = [](const std::string& events) { return Ordering().sets(kGuided).plays("20 ms, " + events); };
+  CHECK(ends("10 s") == kFiveTimes + ", -> NoAnswer (NotKnown)");
+  CHECK(ends("answer 176 accepted, 10 s") == "LONG 176 1 4, -> Unconfirmed (NotKnown)");
+  CHECK(ends("answer 176 failed, 10 s") == "LONG 176 1 4, -> CommandFailed (NotKnown)");
+  // PX4 accepts it, and then refuses it.
+  Ordering px4(kPx4, kCopterType, kPx4Position);
+  px4.sets(FlightMode::Guided).plays("50 ms");
+  px4.hear(commandAckParts(176, 0));
+  CHECK(px4.plays("answer 176 rejected") == "-> CommandRejected (NotKnown)");
 }
 
 TEST_CASE("behind its acceptance an order asks for a heartbeat, and is done when that shows the mode") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilOrdered(kSetMode, 20));
-  const size_t asked = desk.count(kRequestMessage);
-  desk.hear(commandAckParts(kSetMode, kAccepted));
-  REQUIRE(desk.runUntilSent(kCommandLong, 10));
+  Ordering desk;
+  desk.sets(kGuided).plays("20 ms");
+  CHECK(desk.quiet().plays("answer 176 accepted") == "BEAT?");
   CHECK((desk.client.status() == Status::Transferring));
-  CHECK(desk.count(kRequestMessage) == asked + 1);
-  desk.show(kGuided);
-  desk.run(2);
-  CHECK((desk.ended == Status::Done));
+  CHECK(desk.plays("mode 4") == "-> Done (NotKnown)");
 }
 
-namespace {
-
-// The order has left, and somebody has set LOITER before it arrived: it is undone, and a heartbeat shows that.
-struct Undone : Ordering {
-  Undone() : Ordering(ClientOnLine::kArduPilot, kCopterType, kStabilize) {
-    client.setCustomMode(kGuided);
-    REQUIRE(runUntilOrdered(kSetMode, 20));
-    show(kLoiter);
-    run(5);
-    REQUIRE(client.isBusy());
-    show(kGuided);
-    REQUIRE(runUntilSent(kCommandLong, 5));
-    CHECK(valueAt<uint16_t>(sent.back(), 28) == kSetMode);
-    CHECK(valueAt<float>(sent.back(), 4) == kLoiter);
-  }
-};
-
-}  // namespace
-
-TEST_CASE("a mode that the order has undone is set again, and flies then") {
+TEST_CASE("a mode that the order has undone is set again, and flies then, or was overruled") {
+  CHECK(Undone().plays("answer 176 accepted, 405 ms, mode 5") == "BEAT? x8, -> TakenOver (NotKnown)");
+  CHECK(Undone().plays("answer 176 failed") == "-> Overruled (NotKnown)");
+  Undone silent;
+  silent.beatsBySecond = silent.beatsWhenAsked = true;
+  silent.plays("20 s");
+  CHECK((silent.ended == Status::Overruled));
+  // The current item does not matter meanwhile.
   Undone desk;
-  desk.answer(kSetMode, kAccepted);
-  desk.run(410);  // no repeat may still arrive
-  desk.show(kLoiter);
-  desk.run(5);
-  CHECK((desk.ended == Status::TakenOver));
-  CHECK(desk.count(kSetMode) == 2);
-}
-
-TEST_CASE("a mode that was undone, and is not set again, was overruled") {
-  Undone refused, silent;
-  refused.answer(kSetMode, kFailed);
-  CHECK((refused.ended == Status::Overruled));
-  silent.mode = kGuided;
-  CHECK((silent.outcome(20000) == Status::Overruled));
+  desk.plays("current 1 of 6");
+  CHECK(desk.client.isBusy());
 }
 
 TEST_CASE("while somebody's mode may be undone heartbeats are asked for every 50 ms") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilOrdered(kSetMode, 20));
-  desk.show(kLoiter);
-  desk.sent.clear();
-  const uint32_t shownMs = desk.nowMs();
-  desk.run(160);
-  CHECK(desk.timesOf(kCommandLong, shownMs) == std::vector<uint32_t>{51, 101, 151});
-  CHECK(desk.count(kSetMode) == 0);
-  desk.show(kLoiter);
-  desk.run(410);
-  desk.show(kLoiter);
-  desk.run(5);
-  CHECK((desk.ended == Status::TakenOver));
-  CHECK(desk.count(kSetMode) == 0);
+  Ordering desk;
+  desk.sets(kGuided).plays("20 ms");
+  desk.quiet().mode = kLoiter;
+  desk.beat();
+  CHECK(desk.plays("clock, 160 ms") == "BEAT? @51 101 151");
+  desk.beatsWhenAsked = true;
+  CHECK(desk.plays("mode 5, 410 ms, mode 5") == "-> TakenOver (NotKnown)");
 }
 
-TEST_CASE("while somebody's mode may be undone the current item does not matter") {
-  Undone desk;
-  desk.hear(FrameParts(42, {1, 0, 6, 0, 3}, 28));
-  desk.run(5);
-  CHECK(desk.client.isBusy());
-}
-
-TEST_CASE("behind a loop() that stood still an order waits for a new heartbeat") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilSent(kCommandLong, 20));
-  desk.sent.clear();
-  desk.show(kStabilize);
-  desk.run(300, 300);
-  desk.run(5);
-  CHECK(desk.count(kSetMode) == 0);
-  REQUIRE(desk.runUntilOrdered(kSetMode, 100));
-  CHECK(desk.count(kRequestMessage) >= 1);
+TEST_CASE("behind a loop() that stood still an order waits for a new heartbeat, and so does what it believes") {
+  Ordering before, behind;
+  before.quiet().sets(kGuided).plays("until BEAT? 20 ms");
+  before.beat();
+  before.run(300, 300);
+  CHECK(before.plays("20 ms") == "BEAT?");
+  CHECK(before.plays("beat") == "LONG 176 1 4");
+  behind.sets(kGuided).plays("20 ms");
+  behind.quiet().mode = kGuided;
+  behind.beat();
+  behind.run(300, 300);
+  CHECK(behind.plays("until BEAT? 30 ms | mode 4") == "BEAT? | -> Done (NotKnown)");
 }
 
 TEST_CASE("startMission() that has undone somebody's mode sets that mode again, and does not start the mission again") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.baseMode = 1 | 128;  // armed
-  desk.show(kStabilize);
-  desk.run(1000);
-  desk.sent.clear();
+  Ordering desk;
+  desk.plays("armed, 1 s");
   desk.client.startMission();
-  REQUIRE(desk.runUntilOrdered(kTransition, 20));
-  desk.hear(commandAckParts(kTransition, kUnsupported));
-  REQUIRE(desk.runUntilOrdered(300, 50));
-  desk.show(kLoiter);
-  desk.run(5);
-  desk.show(3);  // AUTO
-  REQUIRE(desk.runUntilSent(kCommandLong, 5));
-  CHECK(valueAt<uint16_t>(desk.sent.back(), 28) == kSetMode);
-  CHECK(valueAt<float>(desk.sent.back(), 4) == kLoiter);
-}
-
-TEST_CASE(
-    "behind a loop() that stood still the wanted mode is believed when a new heartbeat shows it, which is asked for") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilOrdered(kSetMode, 20));
-  desk.sent.clear();
-  desk.show(kGuided);
-  desk.run(300, 300);
-  CHECK(desk.client.isBusy());
-  REQUIRE(desk.runUntilSent(kCommandLong, 30));
-  CHECK(Ordering::isCommand(desk.sent.back(), kRequestMessage));
-  desk.show(kGuided);
-  desk.run(5);
-  CHECK((desk.ended == Status::Done));
+  CHECK(desk.plays("20 ms | answer 3000 unsupported, 50 ms") == "LONG 3000 | LONG 300");
+  CHECK(desk.quiet().plays("mode 5 | mode 3") == "| LONG 176 1 5, BEAT?");
 }
 
 TEST_CASE("on a lossy link, an order that is accepted again and again, and that nothing shows, is given up") {
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
+  Ordering desk;
+  desk.quiet().sets(kGuided);
   uint32_t ms = 0;
   for (size_t orders = 0; ms < 60000 && (ms == 0 || desk.client.isBusy()); ++ms) {
-    if (ms % 1000 == 0) {
-      Bytes broken = packed(heartbeatParts(ClientOnLine::kArduPilot));
-      broken[12] = static_cast<uint8_t>(broken[12] ^ 1);
-      desk.line.bring(broken);
-    }
-    if (ms % 500 == 250) desk.show(kStabilize);
-    desk.run(1);
-    if (desk.count(kSetMode) == orders) continue;
+    if (ms % 1000 == 0)
+      desk.line.bring({0xFD, 9, 0, 0, 200, 1, 1, 0, 0, 0, 4, 0, 0, 0, 2, 3, 1, 4, 3, 0, 0});  // broken
+    if (ms % 500 == 250) desk.beat();
+    const std::string said = desk.plays("1 ms");
+    if (said.find("LONG 176") == std::string::npos) continue;
     ++orders;
-    desk.hear(commandAckParts(kSetMode, kAccepted));
+    desk.hear(commandAckParts(176, 0));
   }
   CHECK((desk.ended == Status::Unconfirmed));
   CHECK(ms < 40000);
 }
 
 TEST_CASE("the answer to a request for a heartbeat is not that of the sketch's own request") {
-  const FlightCommand own = flightCommand(kRequestMessage, 148);
-  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
-  desk.client.setCustomMode(kGuided);
-  REQUIRE(desk.runUntilOrdered(kSetMode, 20));
-  desk.mode = kGuided;
-  desk.show(kGuided);
-  desk.run(5);
-  REQUIRE((desk.ended == Status::Done));
-  desk.sent.clear();
-  desk.client.send(own);
-  REQUIRE(desk.runUntilSent(kCommandLong, 20));
-  desk.answer(kRequestMessage, kFailed);  // of the request before
-  CHECK(desk.client.isBusy());
-  desk.answer(kRequestMessage, kAccepted);
-  CHECK((desk.ended == Status::Done));
+  Ordering desk;
+  desk.sets(kGuided).plays("20 ms");
+  REQUIRE(desk.plays("mode 4") == "-> Done (NotKnown)");
+  desk.command = flightCommand(512, 148);
+  CHECK(desk.plays("send, 20 ms | answer 512 failed | answer 512 accepted") ==  // the first is of the request before
+        "LONG 512 148 | | -> Done (NotKnown)");
 }
 
 TEST_CASE("the rest of an order that loop() has kept back for too long is spoiled, so that nobody obeys it") {
   for (const uint32_t stillMs : {10, 300}) {
-    setMillis(1000);
-    MemoryStream line;
-    MissionClient client(line);
-    client.setTargetIds(1, 1);
-    uint32_t nowMs = 1000;
-    uint8_t sequence = 0;
-    const auto hear = [&] {
-      FrameParts beat = heartbeatParts(ClientOnLine::kPx4);
-      beat.sequence = sequence++;
-      line.bring(packed(beat));
-    };
-    const auto run = [&](uint32_t ms) {
-      setMillis(nowMs += ms);
-      client.update();
-    };
-    hear();
-    for (int i = 0; i < 50; ++i) run(1);
-    hear();
-    run(1);
-    client.setCustomMode(kPx4Hold);
-    for (int i = 0; i < 10; ++i) run(1);
-    line.takeWritten();
-    line.room = 12;
-    line.takes = 12;
-    hear();
-    Bytes written;  // until the order begins to leave
-    for (int i = 0; i < 8 && written.empty(); ++i) {
-      run(1);
-      written = line.takeWritten();
-    }
-    REQUIRE(!written.empty());
-    REQUIRE(written.size() < 30);
-    line.room = line.kAlwaysRoom;
-    line.takes = 1000000;
-    run(stillMs);
-    for (int i = 0; i < 5; ++i) run(1);
-    written = written + line.takeWritten();
-    REQUIRE(written.size() > 12);
-    REQUIRE(written[0] == 0xFD);
-    REQUIRE(written[7] == 76);
-    const size_t length = 10u + written[1] + 2;
-    REQUIRE(written.size() >= length);
-    const Bytes frame(written.begin(), written.begin() + static_cast<long>(length));
-    FrameParts parts(76, Bytes(frame.begin() + 10, frame.end() - 2), 152);
-    parts.sequence = frame[4];
-    parts.systemId = frame[5];
-    parts.componentId = frame[6];
-    CHECK((packed(parts) == frame) == (stillMs < 200));
+    Ordering desk(kPx4);
+    desk.quiet().sets(kPx4Hold).plays("10 ms");
+    desk.line.room = 12;
+    desk.line.takes = 12;
+    const size_t before = desk.sent.size();
+    desk.beat();
+    desk.line.writes = 0;
+    for (int i = 0; i < 8 && desk.line.writes == 0; ++i) desk.pass(1);  // until the order begins to leave
+    desk.line.room = desk.line.kAlwaysRoom;
+    desk.line.takes = 1000000;
+    desk.run(stillMs, stillMs);
+    desk.pass(5);
+    REQUIRE(desk.sent.size() > before);
+    const SentFrame& order = desk.sent[before];
+    CHECK(order.messageId == 76);
+    FrameParts parts(76, Bytes(order.frame.begin() + 10, order.frame.end() - 2), 152);
+    parts.sequence = order.frame[4];
+    parts.systemId = order.frame[5];
+    parts.componentId = order.frame[6];
+    CHECK((packed(parts) == order.frame) == (stillMs < 200));
   }
 }
