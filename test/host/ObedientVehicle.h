@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ClientOnLine.h"
+#include "Conversation.h"
 #include "PlanFrames.h"
 
 namespace obedient {
@@ -33,9 +34,7 @@ struct Flown : ClientOnLine {
   uint32_t name = 0;                     // of that plan
   bool givesFloats = false;              // as MISSION_ITEM
   bool isMute = false;                   // it gives none
-  int firstItem = -1;                    // of MISSION_SET_CURRENT
-  std::vector<uint16_t> orders;          // the commands that move something
-  std::vector<float> parameters;         // and the first parameter of each
+  std::string ordered;                   // what moves something, until it is emptied: "item 3, mode, arm, begin"
 
   explicit Flown(uint8_t autopilot = kArduPilot, uint8_t is = MAV_TYPE_QUADROTOR)
       : ClientOnLine(autopilot), isPx4(autopilot == kPx4), type(is) {
@@ -74,8 +73,9 @@ struct Flown : ClientOnLine {
   void obey(const SentFrame& frame) {
     if (isForHeartbeat(frame)) return beat();
     if (frame.messageId == kSetCurrent) {
-      firstItem = frame.payload[0] | frame.payload[1] << 8;
-      current_ = static_cast<uint16_t>(firstItem == 0 && !isPx4 ? 1 : firstItem);
+      const int item = frame.payload[0] | frame.payload[1] << 8;
+      note("item " + std::to_string(item));
+      current_ = static_cast<uint16_t>(item == 0 && !isPx4 ? 1 : item);
       return tellCurrent(current_, MISSION_STATE_NOT_STARTED);
     }
     if (frame.messageId == kRequestList && !isMute) return tellCount();
@@ -85,8 +85,7 @@ struct Flown : ClientOnLine {
     if (command == MAV_CMD_DO_VTOL_TRANSITION) return;
     if (command == MAV_CMD_REQUEST_MESSAGE)
       return tellCurrent(mode == kAuto ? flown : current_, mode == kAuto ? state : uint8_t{MISSION_STATE_ACTIVE});
-    orders.push_back(command);
-    parameters.push_back(paramOf(frame, 0));
+    note(wordFor(command, static_cast<int>(paramOf(frame, 0))));
     if (command == silentOn) return;
     const bool isRefused = command == refusedOn;
     if (!isRefused && command == MAV_CMD_DO_SET_MODE && !isPx4) mode = static_cast<uint32_t>(paramOf(frame, 1));
@@ -142,15 +141,25 @@ struct Flown : ClientOnLine {
     sent.clear();
     ended = Status::Idle;
   }
-  Status refusal() {
+  // What is ordered in that time, and how the operation ends: "mode, arm, begin -> OtherItem at 2".
+  std::string flies(uint32_t ms) {
+    ordered.clear();
     ended = Status::Idle;
-    fly(1200);
-    CHECK(orders.empty());
-    CHECK(firstItem == -1);
-    return ended;
+    fly(ms);
+    if (ended == Status::Idle) return ordered;
+    const bool hasItem = client.failedItem() != MissionClient::kNoItem;
+    return ordered + (ordered.empty() ? "-> " : " -> ") + nameOf(ended) +
+           (hasItem ? " at " + std::to_string(client.failedItem()) : "");
   }
 
  private:
+  void note(const std::string& word) { ordered += (ordered.empty() ? "" : ", ") + word; }
+  static std::string wordFor(uint16_t command, int param) {
+    if (command == MAV_CMD_DO_SET_MODE) return "mode";
+    if (command == MAV_CMD_COMPONENT_ARM_DISARM) return param == 1 ? "arm" : "disarm";
+    return (command == MAV_CMD_MISSION_START ? "begin " : std::to_string(command) + " ") + std::to_string(param);
+  }
+
   uint16_t current_ = 1;
 };
 

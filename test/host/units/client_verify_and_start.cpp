@@ -20,18 +20,28 @@ struct Sketch : Flown {
   static void note(void* context, Status status) { static_cast<Sketch*>(context)->told.push_back(status); }
   size_t looks() const { return timesOf(kRequestList, 0).size(); }
   // Until items are asked for. They do not come before isMute is false again.
-  void flyIntoFirstLook() {
+  Sketch& flyIntoFirstLook() {
+    client.verifyAndStart(inRam(kFlownPlan));
     for (int i = 0; i < 6000 && looks() == 0; ++i) fly(1);
     isMute = true;
     fly(5);
     REQUIRE(client.isBusy());
     REQUIRE_FALSE(timesOf(kRequestInt, 0).empty());
+    return *this;
   }
   // Until the second look has begun, with the aircraft in flight.
-  void flyUntilSecondLook() {
+  Sketch& flyIntoSecondLook(uint16_t item = 0) {
+    if (!client.isBusy()) client.verifyAndStart(inRam(kFlownPlan), item);
     for (int i = 0; i < 6000 && looks() < 2; ++i) fly(5);
     REQUIRE(looks() == 2);
     REQUIRE(baseMode == kArmed);
+    return *this;
+  }
+  // The same as flies(), and onEnd() must have been told that end alone.
+  std::string ends(uint32_t ms) {
+    const std::string text = flies(ms);
+    CHECK(told == std::vector<Status>{ended});
+    return text + ", " + nameOf(client.aboard());
   }
 };
 
@@ -43,16 +53,14 @@ TEST_CASE("an ArduPilot's plan is looked at, started, and looked at once more") 
     sketch.flown = item == 0 ? 1 : 3;
     CHECK((sketch.client.verifyAndStart(inRam(kFlownPlan), item) == Status::WaitingForAutopilot));
     CHECK((sketch.client.verifyAndStart(inRam(kFlownPlan), item) == Status::Busy));
-    sketch.flyUntilSecondLook();
-    CHECK(sketch.firstItem == (item == 0 ? 0 : 3));
+    sketch.flyIntoSecondLook();
+    CHECK(sketch.ordered == (item == 0 ? "mode, item 0, arm, begin 0" : "mode, item 3, arm, begin 0"));
     CHECK(sketch.client.isBusy());
     CHECK(sketch.client.itemsTotal() == 4);
     CHECK(sketch.told.empty());
-    CHECK(sketch.ends.empty());
-    sketch.fly(3000);
-    CHECK(sketch.told == std::vector<Status>{Status::Done});
-    CHECK(sketch.ends == std::vector<Status>{Status::Done});
-    CHECK((sketch.client.aboard() == Aboard::OurPlan));
+    CHECK(sketch.ClientOnLine::ends.empty());
+    CHECK(sketch.ends(3000) == "-> Done, OurPlan");
+    CHECK(sketch.ClientOnLine::ends == std::vector<Status>{Status::Done});
     CHECK((sketch.client.startArming() == StartArming::Armed));
     CHECK(sketch.client.itemsDone() == 4);
     CHECK(sketch.looks() == 2);
@@ -60,8 +68,7 @@ TEST_CASE("an ArduPilot's plan is looked at, started, and looked at once more") 
     CHECK(sketch.mode == kAuto);
     // What comes next is told as ever.
     sketch.client.disarm();
-    sketch.fly(1000);
-    CHECK((sketch.told.back() == Status::Done));
+    CHECK(sketch.flies(1000) == "disarm -> Done");
     CHECK(sketch.told.size() == 2);
   }
 }
@@ -69,21 +76,14 @@ TEST_CASE("an ArduPilot's plan is looked at, started, and looked at once more") 
 TEST_CASE("items that come as floats are compared in both looks") {
   Sketch sketch;
   sketch.givesFloats = true;
-  sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.flyUntilSecondLook();
-  sketch.fly(3000);
-  CHECK(sketch.told == std::vector<Status>{Status::Done});
+  CHECK(sketch.flyIntoSecondLook().ends(3000) == "-> Done, OurPlan");
 }
 
 TEST_CASE("a plan that is not ours is not started") {
   Sketch sketch;
   sketch.held[2] = returnToLaunch();
   sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.fly(3000);
-  CHECK(sketch.told == std::vector<Status>{Status::Differs});
-  CHECK(sketch.client.failedItem() == 1);
-  CHECK(sketch.orders.empty());
-  CHECK(sketch.firstItem == -1);
+  CHECK(sketch.ends(3000) == "-> Differs at 1, NotKnown");
 }
 
 TEST_CASE("what was said of an earlier start is forgotten when the next one looks") {
@@ -106,15 +106,9 @@ TEST_CASE("what was said of an earlier start is forgotten when the next one look
 TEST_CASE("another plan that the second look finds is left: the aircraft is disarmed, and what is aboard is known") {
   for (const bool isRefused : {false, true}) {
     Sketch sketch;
-    sketch.client.verifyAndStart(inRam(kFlownPlan));
-    sketch.flyUntilSecondLook();
-    sketch.held[3] = returnToLaunch();
+    sketch.flyIntoSecondLook().held[3] = returnToLaunch();
     if (isRefused) sketch.refusedOn = MAV_CMD_COMPONENT_ARM_DISARM;
-    sketch.fly(20000);
-    CHECK(sketch.told == std::vector<Status>{isRefused ? Status::FliesOtherPlan : Status::Unproven});
-    CHECK((sketch.client.aboard() == Aboard::OtherPlan));
-    CHECK(sketch.orders.back() == MAV_CMD_COMPONENT_ARM_DISARM);
-    CHECK(sketch.parameters.back() == 0);
+    CHECK(sketch.ends(20000) == (isRefused ? "disarm -> FliesOtherPlan, OtherPlan" : "disarm -> Unproven, OtherPlan"));
     CHECK(sketch.baseMode == (isRefused ? kArmed : kDisarmed));
     CHECK((sketch.client.startArming() == (isRefused ? StartArming::Armed : StartArming::Disarmed)));
   }
@@ -122,38 +116,31 @@ TEST_CASE("another plan that the second look finds is left: the aircraft is disa
 
 TEST_CASE("a plan that cannot be read a second time is flown on, and may be another one") {
   Sketch sketch;
-  sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.flyUntilSecondLook();
-  sketch.isMute = true;
-  sketch.fly(12000);
-  CHECK(sketch.told == std::vector<Status>{Status::FliesOtherPlan});
-  CHECK((sketch.client.aboard() != Aboard::OtherPlan));
+  sketch.flyIntoSecondLook().isMute = true;
+  CHECK(sketch.ends(12000) == "-> FliesOtherPlan, OurPlan");
   CHECK(sketch.baseMode == kArmed);
   CHECK(sketch.mode == kAuto);
 }
 
-TEST_CASE("who disarms the aircraft, or sets another mode, during the second look has it") {
+TEST_CASE("who disarms the aircraft, or sets another mode, during the second look has it, whatever that finds") {
   for (const bool disarms : {true, false}) {
     Sketch sketch;
-    sketch.client.verifyAndStart(inRam(kFlownPlan));
-    sketch.flyUntilSecondLook();
-    const size_t orders = sketch.orders.size();
-    if (disarms) {
-      sketch.baseMode = kDisarmed;
-    } else {
-      sketch.mode = kLoiter;
-    }
+    sketch.flyIntoSecondLook();
+    if (disarms) sketch.baseMode = kDisarmed;
+    if (!disarms) sketch.mode = kLoiter;
     sketch.beat();
-    sketch.fly(3000);
-    CHECK(sketch.told == std::vector<Status>{disarms ? Status::NotArmed : Status::TakenOver});
-    CHECK(sketch.orders.size() == orders);
+    CHECK(sketch.ends(3000) == (disarms ? "-> NotArmed, OurPlan" : "-> TakenOver, OurPlan"));
   }
+  Sketch sketch;
+  sketch.flyIntoSecondLook().held[3] = returnToLaunch();
+  sketch.baseMode = kDisarmed;
+  sketch.beat();
+  CHECK(sketch.ends(3000) == "-> NotArmed at 2, OtherPlan");
 }
 
 TEST_CASE("a second look without a heartbeat since loop() stood still does not tell that it flies") {
   Sketch sketch;
-  sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.flyUntilSecondLook();
+  sketch.flyIntoSecondLook();
   sketch.tellCount();
   sketch.run(2000, 2000);
   for (int i = 0; i < 100 && sketch.told.empty(); ++i) {
@@ -174,7 +161,6 @@ TEST_CASE("a mode that somebody sets during the first look stays") {
       sketch.run(7000);
       REQUIRE_FALSE(sketch.client.hasAutopilot());
     }
-    sketch.client.verifyAndStart(inRam(kFlownPlan));
     sketch.flyIntoFirstLook();
     sketch.mode = kLoiter;
     sketch.beat();
@@ -186,9 +172,7 @@ TEST_CASE("a mode that somebody sets during the first look stays") {
     }
     sketch.isMute = false;
     const uint32_t mode = sketch.mode;
-    sketch.fly(4000);
-    CHECK(sketch.told == std::vector<Status>{Status::TakenOver});
-    CHECK(sketch.orders.empty());
+    CHECK(sketch.ends(4000) == "-> TakenOver, OurPlan");
     CHECK(sketch.mode == mode);
   }
 }
@@ -205,9 +189,7 @@ TEST_CASE("a mode that somebody sets before the first look has begun stays") {
   sketch.beat();
   sketch.run(20);
   REQUIRE(sketch.looks() == 0);
-  sketch.fly(4000);
-  CHECK((sketch.ended == Status::TakenOver));
-  CHECK(sketch.orders.empty());
+  CHECK(sketch.flies(4000) == "-> TakenOver");
 }
 
 TEST_CASE("who disarms an armed aircraft before its start can begin keeps it disarmed") {
@@ -221,7 +203,6 @@ TEST_CASE("who disarms an armed aircraft before its start can begin keeps it dis
       sketch.run(0, 1500);  // loop() stands still: the last heartbeat is too old to begin with
       sketch.client.start();
     } else {
-      sketch.client.verifyAndStart(inRam(kFlownPlan));
       sketch.flyIntoFirstLook();
     }
     REQUIRE(sketch.client.isBusy());
@@ -234,9 +215,7 @@ TEST_CASE("who disarms an armed aircraft before its start can begin keeps it dis
     sketch.isMute = false;
     sketch.baseMode = kDisarmed;
     sketch.beat();
-    sketch.fly(4000);
-    CHECK((sketch.ended == Status::NotArmed));
-    CHECK(sketch.orders.empty());
+    CHECK(sketch.flies(4000) == "-> NotArmed");
     CHECK(sketch.baseMode == kDisarmed);
   }
 }
@@ -245,21 +224,9 @@ TEST_CASE("an autopilot that was not heard before is waited for, and started in 
   Sketch sketch;
   sketch.run(7000);
   REQUIRE_FALSE(sketch.client.hasAutopilot());
+  sketch.mode = kLoiter;
   sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.fly(20000);
-  CHECK(sketch.told == std::vector<Status>{Status::Done});
-}
-
-TEST_CASE("another plan that the second look finds is known to be aboard, also where somebody has disarmed meanwhile") {
-  Sketch sketch;
-  sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.flyUntilSecondLook();
-  sketch.held[3] = returnToLaunch();
-  sketch.baseMode = kDisarmed;
-  sketch.beat();
-  sketch.fly(3000);
-  CHECK(sketch.told == std::vector<Status>{Status::NotArmed});
-  CHECK((sketch.client.aboard() == Aboard::OtherPlan));
+  CHECK(sketch.ends(20000) == "mode, item 0, arm, begin 0 -> Done, OurPlan");
 }
 
 TEST_CASE("an aircraft that flew its mission before is not disarmed when the second look finds another plan") {
@@ -268,13 +235,10 @@ TEST_CASE("an aircraft that flew its mission before is not disarmed when the sec
   sketch.baseMode = kArmed;
   sketch.mode = kAuto;
   sketch.fly(1100);
-  sketch.client.verifyAndStart(inRam(kFlownPlan));
-  sketch.flyUntilSecondLook();
+  sketch.flyIntoSecondLook();
   sketch.held[3] = returnToLaunch();
-  sketch.fly(5000);
-  CHECK(sketch.told == std::vector<Status>{Status::Unproven});
+  CHECK(sketch.ends(5000) == "-> Unproven, OtherPlan");
   CHECK((sketch.client.startArming() == StartArming::Untouched));
-
   CHECK((sketch.client.startStep() == StartStep::Confirm));
   CHECK(sketch.baseMode == kArmed);
 }
@@ -285,10 +249,10 @@ TEST_CASE("cancel() ends it in each look, and in the start between") {
     sketch.client.verifyAndStart(inRam(kFlownPlan));
     for (int i = 0; i < 6000 && sketch.looks() < look; ++i) sketch.fly(5);
     sketch.client.cancel();
-    sketch.fly(2000);
+    CHECK(sketch.ordered == (look == 1 ? "" : "mode, item 0, arm, begin 0"));
+    CHECK(sketch.flies(2000) == "-> Cancelled");
     CHECK(sketch.told == std::vector<Status>{Status::Cancelled});
     CHECK(sketch.looks() == look);
-    CHECK(sketch.orders.empty() == (look == 1));
   }
 }
 
@@ -299,10 +263,7 @@ TEST_CASE("a PX4 that names its plan is looked at once, and one that does not is
     sketch.held[0].y = sketch.held[2].y;
     sketch.name = name;
     sketch.client.verifyAndStart(inRam(kFlownPlan), 2);
-    sketch.fly(500);
-    REQUIRE(!sketch.orders.empty());
-    CHECK(sketch.orders.back() == MAV_CMD_MISSION_START);
-    CHECK(sketch.parameters.back() == 2);
+    CHECK(sketch.flies(500).find("begin 2") != std::string::npos);
     mavlink_mission_current_t message = mavlink_mission_current_t();
     message.seq = 2;
     message.total = 4;
