@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "PlanFrames.h"
 
 using namespace mavmission;
 
@@ -157,27 +158,19 @@ class Sketch : public ClientOnLine {
   // The message that leads to the callback.
   void tellSomething() {
     const uint8_t item = static_cast<uint8_t>(++telling_ % 3 + 1);
-    if (place_ == In::Current) {
-      hear(FrameParts(42, {item, 0, 0xFF, 0xFF, 0, 0}, 28));
-    } else if (place_ == In::Reached) {
-      hear(FrameParts(46, {item, 0}, 11));
-    } else if (place_ == In::Message) {
-      hear(FrameParts(24, Bytes(30, 1), 24));
-    } else if (place_ == In::Text) {
-      Bytes text(51, 'x');
-      text[0] = 6;
-      hear(FrameParts(253, text, 83));
-    } else if (place_ == In::Payload) {
-      Bytes command(33);
-      put(command, 28, 42600);
-      command[30] = 1;
-      command[31] = 191;
-      hear(FrameParts(76, command, 152));
+    Bytes text(51, 'x'), command(33);
+    text[0] = 6;
+    put(command, 28, 42600);
+    command[30] = 1;
+    command[31] = 191;
+    switch (place_) {
+      case In::Current: return hear(FrameParts(42, {item, 0, 0xFF, 0xFF, 0, 0}, 28));
+      case In::Reached: return hear(FrameParts(46, {item, 0}, 11));
+      case In::Message: return hear(FrameParts(24, Bytes(30, 1), 24));
+      case In::Text: return hear(FrameParts(253, text, 83));
+      case In::Payload: return hear(FrameParts(76, command, 152));
+      default: return;
     }
-  }
-
-  void hearCount() {
-    hear(FrameParts(44, {static_cast<uint8_t>(held.size()), static_cast<uint8_t>(held.size() >> 8), 1, 191, 0}, 221));
   }
 
   void answer(const SentFrame& frame) {
@@ -186,50 +179,36 @@ class Sketch : public ClientOnLine {
       case kCount:
         announced_ = wordOf(sentPayload, 0);
         coming_.clear();
-        hear(requestParts(0));
-        break;
+        return hear(requestParts(0));
       case kItemInt: {
-        if (coming_.size() == announced_ || wordOf(sentPayload, 28) != coming_.size()) break;
+        if (coming_.size() == announced_ || wordOf(sentPayload, 28) != coming_.size()) return;
         Bytes item(sentPayload.begin(), sentPayload.begin() + 38);
-        item[32] = 1;
-        item[33] = 191;
+        item[33] = 191;  // to us
         coming_.push_back(item);
-        if (coming_.size() < announced_) {
-          hear(requestParts(static_cast<uint16_t>(coming_.size())));
-        } else {
-          held = coming_;
-          hear(ackParts(0));
-        }
-        break;
+        if (coming_.size() < announced_) return hear(requestParts(static_cast<uint16_t>(coming_.size())));
+        held = coming_;
+        return hear(ackParts(0));
       }
-      case kRequestList: hearCount(); break;
+      case kRequestList: return hear(countParts(static_cast<uint16_t>(held.size())));
       case kRequestInt: {
         const uint16_t seq = wordOf(sentPayload, 0);
         if (seq < held.size()) hear(FrameParts(73, held[seq], 38));
-        break;
+        return;
       }
       case 45:  // MISSION_CLEAR_ALL
         held.clear();
-        hear(ackParts(0));
-        break;
-      case 75:    // COMMAND_INT
-      case 76: {  // COMMAND_LONG
-        Bytes answer(10);
-        put(answer, 0, wordOf(sentPayload, 28));
-        answer[8] = 1;
-        answer[9] = 191;
-        hear(FrameParts(77, answer, 143));
-        break;
-      }
+        return hear(ackParts(0));
+      case 75:  // COMMAND_INT
+      case 76:  // COMMAND_LONG
+        return hear(commandAckParts(wordOf(sentPayload, 28), 0));
       case 20: {  // PARAM_REQUEST_READ
         Bytes value(25);
         put(value, 2, 0x3F80);  // 1.0
         std::copy(sentPayload.begin() + 4, sentPayload.begin() + 20, value.begin() + 8);
         value[24] = 9;  // REAL32
-        hear(FrameParts(22, value, 220));
-        break;
+        return hear(FrameParts(22, value, 220));
       }
-      default: break;
+      default: return;
     }
   }
 
