@@ -1,314 +1,185 @@
 // clear() by a whole client.
 #include <doctest/doctest.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-const uint16_t kClearAll = 45;
-const uint8_t kAccepted = 0, kDenied = 14, kCancelled = 15;
-const uint8_t kSafetyArmed = 128;  // in HEARTBEAT.base_mode
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
 
-FrameParts ackOf(PlanType type, uint8_t result) { return ackParts(result, 1, 191, static_cast<uint8_t>(type)); }
-
-PlanType typeOf(const SentFrame& frame) { return static_cast<PlanType>(frame.payload[2]); }
-
-struct Clearing : ClientOnLine {
-  explicit Clearing(PlanType type, uint8_t autopilot = kArduPilot) : ClientOnLine(autopilot) {
-    run(11000);  // what came before can be answered no more
-    sent.clear();
-    client.clear(type);
-    REQUIRE(runUntilSent(kClearAll, 10));
+// A clear that has left; what came before can be answered no more.
+struct Clearing : Conversation {
+  explicit Clearing(PlanType is, uint32_t startMs = 65000) : Conversation(kArduPilot, kPlan, is, startMs) {
+    plays("8 s, clear, until CLEAR");
   }
 };
-
-// An autopilot that is armed, or speaks MAVLink 1, is there.
-void meet(ClientOnLine& desk, uint8_t baseMode, uint8_t version = 2) {
-  desk.beats = false;
-  for (int i = 0; i < 3; ++i) {
-    FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot, baseMode);
-    beat.version = version;
-    desk.hear(beat);
-    desk.run(1000);
-  }
-}
 
 }  // namespace
 
 TEST_CASE("a plan of each type is cleared by itself, and nothing of that type is aboard then") {
   for (const PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
-    Clearing desk(type);
-    CHECK((typeOf(desk.sent.back()) == type));
-    desk.hear(ackOf(type, kAccepted));
-    desk.run(5);
-    CHECK((desk.ended == Status::Cleared));
-    CHECK(desk.client.lastResult() == kAccepted);
+    Conversation desk(kArduPilot, kPlan, type);
+    const std::string of = type == PlanType::Mission ? "" : type == PlanType::Fence ? " of fence" : " of rally";
+    CHECK(desk.plays("8 s, clear, 5 ms, accepted") == "CLEAR" + of + ", -> Cleared (Nothing)");
+    CHECK(desk.client.lastResult() == 0);
     for (const PlanType other : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
       CHECK((desk.client.aboard(other) == (other == type ? Aboard::Nothing : Aboard::NotKnown)));
     }
-    CHECK(desk.timesOf(kClearAll, 0).size() == 1);
   }
 }
 
-TEST_CASE("all plans are cleared one behind the other, and the first refusal is the end") {
-  Clearing desk(PlanType::All);
-  CHECK((typeOf(desk.sent.back()) == PlanType::Mission));
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  REQUIRE(desk.runUntilSent(kClearAll, 10));
-  CHECK((typeOf(desk.sent.back()) == PlanType::Fence));
-  desk.hear(ackOf(PlanType::Fence, kDenied));
-  desk.run(5);
-  CHECK((desk.ended == Status::Denied));
-  CHECK(desk.client.lastResult() == kDenied);
-  CHECK((desk.client.aboard(PlanType::Mission) == Aboard::Nothing));
-  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+TEST_CASE("all plans are cleared one behind the other, and the first refusal is the end, or silence") {
+  for (const bool isSilent : {false, true}) {
+    Conversation desk(kArduPilot, kPlan, PlanType::All);
+    CHECK(desk.plays("8 s, clear, 5 ms | accepted of mission") == "CLEAR | CLEAR of fence");
+    if (isSilent) {
+      CHECK(desk.plays("8 s") == "CLEAR of fence x4, -> NoAnswer (NotKnown)");
+    } else {
+      CHECK(desk.plays("denied of fence") == "-> Denied (NotKnown)");
+      CHECK(desk.client.lastResult() == 14);
+    }
+    CHECK((desk.client.aboard(PlanType::Mission) == Aboard::Nothing));
+    CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+  }
 }
 
 TEST_CASE("what is aboard is not known from the first CLEAR_ALL on, until it is accepted or refused at once") {
-  enum { Refused, RefusedLate, Silent, Cancelled };
-  for (const int end : {Refused, RefusedLate, Silent, Cancelled}) {
+  const auto second = [](const std::string& events) {
     Clearing desk(PlanType::Mission);
-    desk.hear(ackOf(PlanType::Mission, kAccepted));
-    desk.run(5);
-    REQUIRE((desk.client.aboard() == Aboard::Nothing));
-    desk.run(11000);
-    desk.sent.clear();
-    desk.client.clear();
-    REQUIRE(desk.runUntilSent(kClearAll, 10));
+    CHECK(desk.plays("accepted, 11 s") == "-> Cleared (Nothing)");
+    desk.plays("clear, until CLEAR 10 ms");
     CHECK((desk.client.aboard() == Aboard::NotKnown));
-    if (end == RefusedLate) REQUIRE(desk.runUntilSent(kClearAll, 2000));
-    if (end == Cancelled) desk.client.cancel();
-    if (end <= RefusedLate) desk.hear(ackOf(PlanType::Mission, kDenied));
-    desk.run(8000);
-    CHECK((desk.ended == (end <= RefusedLate ? Status::Denied : end == Silent ? Status::NoAnswer : Status::Cancelled)));
-    CHECK((desk.client.aboard() == (end == Refused ? Aboard::Nothing : Aboard::NotKnown)));
-    CHECK(desk.timesOf(kClearAll, 0).size() == (end == Silent ? 5 : end == RefusedLate ? 2 : 1));
-  }
-}
-
-TEST_CASE("all plans cleared, the second one refused or never answered: of the third one nothing has changed") {
-  Clearing desk(PlanType::All);
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  REQUIRE(desk.runUntilSent(kClearAll, 10));
-  desk.run(8000);
-  CHECK((desk.ended == Status::NoAnswer));
-  CHECK((desk.client.aboard(PlanType::Mission) == Aboard::Nothing));
-  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+    return desk.plays(events);
+  };
+  CHECK(second("denied, 8 s") == "-> Denied (Nothing)");
+  CHECK(second("until CLEAR 2 s, denied, 8 s") == "CLEAR, -> Denied (NotKnown)");
+  CHECK(second("8 s") == "CLEAR x4, -> NoAnswer (NotKnown)");
+  CHECK(second("cancel, 8 s") == "-> Cancelled (NotKnown)");
 }
 
 TEST_CASE(
     "behind another operation an acceptance is proven by the number of items, and CLEAR_ALL sent again if need be") {
   Clearing desk(PlanType::Mission);
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  desk.run(3000);
-  desk.client.clear();
-  REQUIRE(desk.runUntilSent(kClearAll, 10));
-  desk.hear(countParts(0));  // nobody has asked yet
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
+  desk.plays("accepted, 3 s");
+  CHECK(desk.plays("clear, until CLEAR 10 ms, count 0 | accepted") == "CLEAR | LIST");  // nobody had asked yet
   CHECK((desk.client.aboard() == Aboard::NotKnown));
-  desk.hear(ackOf(PlanType::Mission, kDenied));  // of something before
-  desk.hear(countParts(0, PlanType::Fence));
-  desk.hear(countParts(5));
-  REQUIRE(desk.runUntilSent(kClearAll, 10));
-  CHECK(desk.sent[desk.sent.size() - 2].messageId == ClientOnLine::kAck);  // so that PX4 does not wait for us
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
-  desk.hear(countParts(1));  // ArduPilot's home
-  desk.run(5);
-  CHECK((desk.ended == Status::Cleared));
-  CHECK((desk.client.aboard() == Aboard::Nothing));
+  CHECK(desk.plays("denied, count 0 of fence | count 5") == "| ACK cancelled, CLEAR");      // so that PX4 does not wait
+  CHECK(desk.plays("accepted | count 1") == "LIST | ACK cancelled, -> Cleared (Nothing)");  // ArduPilot's home
 }
 
 TEST_CASE("no CLEAR_ALL is sent to an autopilot that has been armed meanwhile") {
   Clearing desk(PlanType::All);
-  desk.beats = false;
-  FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot, kSafetyArmed);
-  desk.hear(beat);
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  desk.run(100);
-  CHECK((desk.ended == Status::Armed));
-  CHECK(desk.timesOf(kClearAll, 0).size() == 1);
+  desk.plays("silence");
+  desk.baseMode = 128;
+  desk.beat();
+  CHECK(desk.plays("accepted of mission, 100 ms") == "-> Armed (NotKnown)");
 }
 
 TEST_CASE("a clear on a stream that takes no more bytes ends with its time limit") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
+  Conversation desk(kArduPilot, kPlan);
   desk.client.setOperationTimeout(60);
   desk.line.room = 0;
   desk.line.takes = 0;
-  desk.client.clear();
-  desk.run(59000);
-  CHECK(desk.client.isBusy());
-  desk.run(2000);
-  CHECK((desk.ended == Status::TookTooLong));
+  CHECK(desk.plays("clear, 59 s | 2 s") == "| -> TookTooLong (NotKnown)");
 }
 
 TEST_CASE("neither the answer to another type nor another message ends a clear") {
   Clearing desk(PlanType::Fence);
-  desk.hear(ackOf(PlanType::Mission, kAccepted));
-  desk.hear(ackOf(PlanType::Rally, kDenied));
-  desk.hear(FrameParts(44, {0, 0, 1, 191, 1}, 221));  // MISSION_COUNT of no fence
-  desk.run(5);
-  CHECK(desk.client.isBusy());
+  CHECK(desk.plays("accepted of mission, denied of rally, count 0") == "");
   CHECK(desk.client.lastResult() == 255);
   CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
 
 TEST_CASE("what comes before MISSION_CLEAR_ALL has left is no answer to it") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.clear();
-  desk.run(500);
-  desk.hear(ackOf(PlanType::Mission, kAccepted));  // the autopilot is not settled yet
-  desk.run(5);
+  Conversation desk(kArduPilot, 65000, 0);
+  CHECK(desk.plays("clear, 500 ms, accepted") == "");  // the autopilot is not settled yet
   CHECK((desk.client.status() == Status::WaitingForAutopilot));
-  desk.run(11000);
-  CHECK((desk.ended == Status::NoAnswer));
+  CHECK(desk.plays("11 s") == "CLEAR x5, -> NoAnswer (NotKnown)");
   desk.line.room = 0;
-  desk.ended = Status::Idle;
-  desk.run(2100);  // its repeats can be answered no more
-  desk.client.clear();
-  desk.run(20);
-  desk.hear(ackOf(PlanType::Mission, kDenied));
-  desk.run(5);
+  CHECK(desk.plays("2100 ms, clear, 20 ms, denied") == "");  // its repeats can be answered no more
   CHECK((desk.client.status() == Status::Transferring));
 }
 
 TEST_CASE("the plans of an armed autopilot are cleared only where the sketch allows it") {
-  for (const bool isAllowed : {false, true}) {
-    ClientOnLine desk(ClientOnLine::kArduPilot);
-    meet(desk, kSafetyArmed);
-    desk.client.allowWhileArmed(isAllowed);
-    desk.sent.clear();
-    desk.client.clear();
-    desk.run(2000);
-    CHECK(desk.timesOf(kClearAll, 0).empty() != isAllowed);
-    CHECK((desk.client.status() == (isAllowed ? Status::Transferring : Status::Armed)));
-  }
+  Conversation desk(kArduPilot, kPlan), allowed(kArduPilot, kPlan);
+  allowed.client.allowWhileArmed(true);
+  CHECK(desk.plays("armed, clear, 1 s") == "-> Armed (NotKnown)");
+  CHECK(allowed.plays("armed, clear, 1 s") == "CLEAR");
 }
 
 TEST_CASE("MAVLink 1 carries missions alone, and that is said first") {
-  for (const uint8_t baseMode : {uint8_t{0}, kSafetyArmed}) {
+  for (const bool isArmed : {false, true}) {
     for (const PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::All}) {
-      ClientOnLine desk(ClientOnLine::kArduPilot);
-      meet(desk, baseMode, 1);
-      desk.sent.clear();
-      desk.client.clear(type);
-      desk.run(2000);
-      const bool isMission = type == PlanType::Mission;
-      CHECK(desk.timesOf(kClearAll, 0).empty() != (isMission && baseMode == 0));
-      const Status expected = !isMission ? Status::NeedsMavlink2 : baseMode != 0 ? Status::Armed : Status::Transferring;
-      CHECK((desk.client.status() == expected));
+      Conversation desk(kArduPilot, 65000, 0);
+      desk.mavlinkVersion = 1;
+      desk.baseMode = isArmed ? 128 : 0;
+      desk.pass(3000);
+      CHECK(desk.isAbout(emptyPlan(), type).plays("clear, 1 s") == std::string(type != PlanType::Mission
+                                                                                   ? "-> NeedsMavlink2 (NotKnown)"
+                                                                               : isArmed ? "-> Armed (NotKnown)"
+                                                                                         : "CLEAR"));
     }
   }
 }
 
 TEST_CASE("a fence's clear stays one when the autopilot's heartbeats turn to MAVLink 1") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(2500);
-  desk.client.clear(PlanType::Fence);
-  desk.run(600);
-  desk.beats = false;
+  Conversation desk(kArduPilot, 65000, 2500);
+  desk.isAbout(emptyPlan(), PlanType::Fence).plays("clear, 600 ms");
   desk.sent.clear();
-  for (int beat = 0; beat < 6; ++beat) {
-    FrameParts parts = heartbeatParts(ClientOnLine::kArduPilot);
-    parts.version = 1;
-    desk.hear(parts);
-    desk.run(1000);
-  }
-  CHECK(desk.timesOf(kClearAll, 0).size() > 1);
-  for (const SentFrame& frame : desk.sent) {
-    if (frame.messageId != kClearAll) continue;
-    CHECK(frame.payload[2] == 1);
-    CHECK(frame.frame[0] == 0xFD);
-  }
+  desk.mavlinkVersion = 1;
+  CHECK(desk.plays("6 s").compare(0, 16, "CLEAR of fence x") == 0);
+  for (const SentFrame& frame : desk.sent) CHECK((frame.messageId != 45 || frame.frame[0] == 0xFD));
 }
 
 TEST_CASE("behind a transfer that was left open a clear waits for the answers to that") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
-  desk.hear(requestParts(0));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
-  const uint32_t cancelledMs = desk.nowMs();
-  desk.client.cancel();
-  desk.client.clear();
-  REQUIRE(desk.runUntilSent(kClearAll, 4000));
-  CHECK(desk.nowMs() - cancelledMs > 1500);
-  desk.hear(ackOf(PlanType::Mission, kCancelled));  // ArduPilot gives the upload up
-  desk.run(5);
+  Conversation desk(kArduPilot, kPlan);
+  desk.plays("8 s, upload unread, until COUNT, asks 0");
+  CHECK(desk.plays("cancel, clear, 1500 ms | until CLEAR 3 s, cancelled") ==
+        "ACK cancelled, -> Cancelled (Mixture) | CLEAR");  // ArduPilot gives the upload up
   CHECK(desk.client.isBusy());
   // When nothing is open it is the answer.
-  desk.run(9000);
-  desk.hear(ackOf(PlanType::Mission, kCancelled));
-  desk.run(5);
-  CHECK_FALSE(desk.client.isBusy());
+  CHECK(desk.plays("9 s, cancelled") == "CLEAR x4, -> NoAnswer (NotKnown)");
 }
 
 TEST_CASE("behind a reset a clear waits for answers to what was before, and is then repeated as any other") {
-  ClientOnLine desk(ClientOnLine::kArduPilot, 0);
+  Conversation desk(kArduPilot, 0, 0);
   desk.client.setTargetIds(1, 1);
-  desk.run(10);
-  desk.client.clear();
-  desk.run(8000);
-  CHECK(desk.timesOf(kClearAll, 0) == std::vector<uint32_t>{1500, 3000, 4500, 6000, 7500});
-  desk.hear(ackOf(PlanType::Mission, kDenied));
-  desk.run(5);
-  CHECK((desk.ended == Status::Denied));
+  desk.pass(10);
+  CHECK(desk.plays("clear, 8 s | denied") == "CLEAR x5 | -> Denied (NotKnown)");
+  CHECK(desk.timesOf(45, 0) == std::vector<uint32_t>{1500, 3000, 4500, 6000, 7500});
 }
 
 TEST_CASE("a clear leaves in the update() that follows, and is a message of its target and type alone") {
   Clearing desk(PlanType::Fence);
-  desk.hear(ackOf(PlanType::Fence, kAccepted));
-  desk.run(1100);
-  desk.sent.clear();
-  desk.client.clear(PlanType::Rally);
-  desk.run(1);
-  REQUIRE(desk.timesOf(kClearAll, 0).size() == 1);
-  CHECK(desk.sent.back().payload[0] == 1);
-  CHECK(desk.sent.back().payload[1] == 1);
-  CHECK(desk.sent.back().payload[2] == static_cast<uint8_t>(PlanType::Rally));
+  desk.plays("accepted, 1100 ms");
+  CHECK(desk.isAbout(emptyPlan(), PlanType::Rally).plays("clear, 1 ms") == "CLEAR of rally");
 }
 
 TEST_CASE("behind a reading that has ended a clear waits until a copy of its last message has come") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  desk.client.verify(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
-  desk.hear(FrameParts(44, {5, 0, 1, 191, 0}, 221));
-  desk.run(5);
-  REQUIRE((desk.ended == Status::Differs));
-  desk.client.clear();
-  CHECK_FALSE(desk.runUntilSent(kClearAll, 390));
-  CHECK(desk.runUntilSent(kClearAll, 100));
+  CHECK(
+      Conversation(kArduPilot, kPlan).plays("8 s, verify, until LIST, count 5 | clear, 390 ms | until CLEAR 100 ms") ==
+      "LIST, -> Differs in Count (NotKnown), ACK cancelled | | CLEAR");
 }
 
 TEST_CASE("what follows a clear that was repeated waits for the other answer, and what follows another one does not") {
-  for (const bool repeats : {false, true}) {
-    Clearing desk(PlanType::Mission);
-    if (repeats) REQUIRE(desk.runUntilSent(kClearAll, 1600));
-    desk.hear(ackOf(PlanType::Mission, kAccepted));
-    desk.run(5);
-    REQUIRE((desk.ended == Status::Cleared));
-    desk.client.clear();
-    CHECK(desk.runUntilSent(kClearAll, 1000) != repeats);
-  }
+  CHECK(Clearing(PlanType::Mission).plays("accepted, clear, 1 s") == "-> Cleared (Nothing), CLEAR");
+  CHECK(Clearing(PlanType::Mission).plays("until CLEAR 1600 ms, accepted, clear, 1 s") ==
+        "CLEAR, -> Cleared (Nothing)");
 }
 
 TEST_CASE("a clear that is cancelled is cancelled without a word, and the next one waits for its answer") {
-  Clearing desk(PlanType::Mission);
-  desk.sent.clear();
-  desk.client.cancel();
-  CHECK((desk.client.status() == Status::Cancelled));
-  desk.client.clear();
-  CHECK((desk.client.clear() == Status::Busy));
-  desk.run(1500);
-  CHECK(desk.timesOf(ClientOnLine::kAck, 0).empty());
-  CHECK(desk.timesOf(kClearAll, 0).empty());
-  CHECK(desk.runUntilSent(kClearAll, 1500));
+  CHECK(Clearing(PlanType::Mission).plays("cancel, clear, clear, 1500 ms | until CLEAR 1500 ms") ==
+        "Busy, -> Cancelled (NotKnown) | CLEAR");
+}
+
+TEST_CASE("behind a clear PX4 may still be busy if it was asked for the number of items, and not otherwise") {
+  const std::string refused = "upload unread, until COUNT | error | error, 20 ms";
+  Conversation plain(kPx4, kPlan), asked(kPx4, kPlan);
+  plain.plays("8 s, clear, 5 ms, accepted");
+  CHECK(plain.plays(refused) == "COUNT 1 | ACK cancelled, COUNT 1 | -> Error (AsBefore)");
+  asked.plays("8 s, clear, 5 ms, accepted, clear, until CLEAR, accepted, count 0");
+  CHECK(asked.plays(refused) == "COUNT 1 | ACK cancelled, COUNT 1 |");
 }
