@@ -83,7 +83,7 @@ AROUND = (
     Subject("CommandForm", ("client_command_form",)),
     Subject("Download", ("client_download",)),
     Subject("Ensure", ("client_ensure", "client_looks", "client_mission_name")),
-    Subject("Fence", ("client_fence",)),
+    Subject("Fence", ("client_fence", "areas")),
     Subject("FloatItems", ("client_parts", "client_download")),
     Subject("Kept", ("client_kept_value",)),
     Subject("Operation", ("client_clear", "client_verify", "parameters")),
@@ -95,7 +95,15 @@ AROUND = (
         is_flown=True,
     ),
     Subject(
-        "Read", ("client_verify", "client_readback", "client_download", "client_late_answers", "client_mission_name")
+        "Read",
+        (
+            "client_verify",
+            "client_readback",
+            "client_download",
+            "client_late_answers",
+            "client_mission_name",
+            "plan_files",
+        ),
     ),
     Subject("Start", ("client_start", "client_mission_name"), is_flown=True),
     Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers")),

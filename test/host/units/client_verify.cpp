@@ -1,369 +1,28 @@
 // verify() by a whole client: what it asks for, what it takes for an answer, and what it says about the plan aboard.
 #include <doctest/doctest.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr uint8_t kAccepted = 0, kError = 1, kUnsupported = 3, kInvalidSequence = 13, kDenied = 14, kCancelled = 15;
-constexpr uint16_t kClearAll = 45;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4, kOther = Conversation::kOther;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), changeSpeed(5_mps), returnToLaunch()};
-const MissionItem kOther[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 40_m)};
+const MissionItem kFence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
 
-struct Verifying : ClientOnLine {
-  const uint16_t before;  // ArduPilot's home
-
+// A verification that has asked for the list.
+struct Verifying : Conversation {
   explicit Verifying(uint8_t autopilot, uint32_t startMs = 65000)
-      : ClientOnLine(autopilot, startMs), before(autopilot == kArduPilot ? 1 : 0) {
-    run(3000);
-    begin();
-  }
-  void begin() {
-    ended = Status::Idle;
-    CHECK((client.verify(inRam(kPlan)) == Status::WaitingForAutopilot));
-    REQUIRE(runUntilSent(kRequestList, 3000));
-    sent.clear();
-  }
-  void tell(const FrameParts& parts) {
-    hear(parts);
-    run(5);
-  }
-  void tellCount(uint32_t opaqueId = 0) {
-    tell(countParts(static_cast<uint16_t>(3 + before), PlanType::Mission, opaqueId));
-  }
-  // The item of the plan with this number; home is item -1.
-  void tellItem(int item) {
-    tell(itemParts(static_cast<uint16_t>(item + before), item < 0 ? homeItem() : kept(kPlan[item])));
-  }
-  // ArduPilot keeps no yaw.
-  MissionItem kept(MissionItem item) const {
-    if (before != 0 && item.param4 != item.param4) item.param4 = 0;
-    return item;
-  }
-  void tellItems() {
-    for (int item = -before; item < 3; ++item) tellItem(item);
-  }
-  void tellPlan(uint32_t opaqueId = 0) {
-    tellCount(opaqueId);
-    tellItems();
-  }
-  // The numbers of the items that were asked for.
-  std::vector<int> asked() const {
-    std::vector<int> numbers;
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId == kRequestInt) numbers.push_back(frame.payload[0]);
-    }
-    return numbers;
-  }
-  std::vector<uint8_t> acks() const {
-    std::vector<uint8_t> results;
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId == kAck) results.push_back(frame.payload[2]);
-    }
-    return results;
+      : Conversation(autopilot, kPlan, PlanType::Mission, startMs) {
+    plays("verify, until LIST");
   }
 };
 
-}  // namespace
-
-TEST_CASE("a plan is verified item by item, and is ours then") {
-  for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4, ClientOnLine::kOther}) {
-    Verifying desk(autopilot);
-    CHECK((desk.client.verify(inRam(kPlan)) == Status::Busy));
-    CHECK(desk.client.itemsTotal() == 3);
-    desk.tellCount();
-    CHECK((desk.client.aboard() == Aboard::NotKnown));
-    desk.run(5);
-    for (int item = -desk.before; item < 3; ++item) {
-      const bool isArduPilot = autopilot == ClientOnLine::kArduPilot;
-      const std::vector<int> numbers = {0, 1, 2, 3};
-      CHECK(desk.asked() == std::vector<int>(numbers.begin(), numbers.begin() + (isArduPilot ? 4 : item + 1)));
-      CHECK(desk.client.itemsDone() == (item < 0 ? 0 : item));
-      desk.tellItem(item);
-    }
-    CHECK((desk.ended == Status::Verified));
-    CHECK((desk.client.aboard() == Aboard::OurPlan));
-    CHECK(desk.client.itemsDone() == 3);
-    CHECK(desk.client.lastResult() == 255);
-    CHECK(desk.acks() == std::vector<uint8_t>{kAccepted});
-  }
+bool readTheSame(void*, uint16_t, MissionItem& item) {
+  item = kPlan[0];
+  return true;
 }
-
-TEST_CASE("REQUEST_LIST leaves in the update() that follows, and tells its target and type alone") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(3000);
-  desk.sent.clear();
-  desk.client.verify(inRam(kPlan), PlanType::Rally);
-  desk.run(1);
-  REQUIRE(desk.timesOf(ClientOnLine::kRequestList, 0).size() == 1);
-  CHECK(desk.sent.back().payload[0] == 1);
-  CHECK(desk.sent.back().payload[1] == 1);
-  CHECK(desk.sent.back().payload[2] == static_cast<uint8_t>(PlanType::Rally));
-}
-
-TEST_CASE("an item is asked for by its number, however large, and by nothing else") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(3000);
-  const auto read = [](void*, uint16_t, MissionItem& item) {
-    item = kPlan[0];
-    return true;
-  };
-  desk.client.verify(fromFunction(read, 700));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 20));
-  desk.hear(countParts(700));
-  for (uint16_t seq = 0; seq < 600; ++seq) {
-    REQUIRE(desk.runUntilSent(ClientOnLine::kRequestInt, 20));
-    const Bytes& payload = desk.sent.back().payload;
-    REQUIRE((payload[0] | payload[1] << 8) == seq);
-    REQUIRE((payload[2] == 1 && payload[3] == 1 && payload[4] == 0));
-    desk.hear(itemParts(seq, kPlan[0]));
-  }
-}
-
-TEST_CASE("the first field that differs is named with its item, and what is aboard is not known") {
-  const struct {
-    int item;
-    MissionItem aboard;
-    ItemField field;
-  } kCases[] = {{0, waypoint(-35.3632621_deg, 149.1652374_deg, 21_m), ItemField::Height},
-                {0, waypoint(-35.3632622_deg, 149.1652374_deg, 20_m), ItemField::Latitude},
-                {1, returnToLaunch(), ItemField::Command},
-                {2, changeSpeed(5_mps), ItemField::Command}};
-  for (const auto& one : kCases) {
-    for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-      Verifying desk(autopilot);
-      desk.tellPlan();
-      REQUIRE((desk.client.aboard() == Aboard::OurPlan));
-      desk.begin();
-      CHECK((desk.client.aboard() == Aboard::OurPlan));
-      desk.tellCount();
-      for (int item = -desk.before; item < one.item; ++item) desk.tellItem(item);
-      desk.tell(itemParts(static_cast<uint16_t>(one.item + desk.before), desk.kept(one.aboard)));
-      CHECK((desk.ended == Status::Differs));
-      CHECK(desk.client.failedItem() == one.item);
-      CHECK((desk.client.differingField() == one.field));
-      CHECK((desk.client.aboard() == Aboard::NotKnown));
-      desk.run(5);
-      CHECK(desk.acks() == std::vector<uint8_t>{kCancelled});
-    }
-  }
-}
-
-TEST_CASE("autocontinue is compared") {
-  Verifying desk(ClientOnLine::kPx4);
-  desk.tellCount();
-  MissionItem item = kPlan[0];
-  item.autocontinue = 0;
-  desk.tell(itemParts(0, item));
-  CHECK((desk.ended == Status::Differs));
-  CHECK((desk.client.differingField() == ItemField::Autocontinue));
-}
-
-TEST_CASE("ArduPilot's home is a waypoint above sea level, and nothing else is home") {
-  MissionItem other = homeItem(), relative = homeItem();
-  other.command = kNavLoiterUnlimited;
-  relative.frame = CoordinateFrame::GlobalRelative;
-  for (const MissionItem& item : {other, relative}) {
-    Verifying desk(ClientOnLine::kArduPilot);
-    desk.tellCount();
-    desk.tell(itemParts(0, item));
-    CHECK((desk.ended == Status::Differs));
-    CHECK((desk.client.differingField() == ItemField::Command));
-    CHECK((desk.client.failedItem() == MissionClient::kNoItem));
-  }
-}
-
-TEST_CASE("another number of items is another plan, before any item is asked for") {
-  Verifying desk(ClientOnLine::kArduPilot);
-  desk.tell(countParts(3));
-  CHECK((desk.ended == Status::Differs));
-  CHECK((desk.client.differingField() == ItemField::Count));
-  CHECK((desk.client.failedItem() == MissionClient::kNoItem));
-  CHECK(desk.timesOf(ClientOnLine::kRequestInt, 0).empty());
-}
-
-TEST_CASE("a value that the autopilot does not keep is told as such, with the one that it keeps") {
-  const MissionItem plan[] = {
-      anyCommandAt(kNavWaypoint, -35.3632621_deg, 149.1652374_deg, 20_m, 2.5f),
-  };
-  MissionItem kept = plan[0];
-  kept.param1 = 2;
-  kept.param4 = 0;
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  desk.client.verify(inRam(plan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.hear(countParts(2));
-  desk.run(5);
-  desk.hear(itemParts(0, homeItem()));
-  desk.run(5);
-  desk.hear(itemParts(1, kept));
-  desk.run(5);
-  CHECK((desk.ended == Status::NotKept));
-  CHECK((desk.client.differingField() == ItemField::Param1));
-  CHECK(desk.client.failedItem() == 0);
-  CHECK(desk.client.keptValue() == 2);
-}
-
-TEST_CASE("what cannot be verified is refused before anything leaves") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(3000);
-  desk.sent.clear();
-  CHECK((desk.client.verify(inRam(kPlan), PlanType::All) == Status::BadPlanType));
-  CHECK((desk.client.verify(inRam(kPlan, 65536)) == Status::TooManyItems));
-  CHECK((desk.client.status() == Status::TooManyItems));
-  desk.run(100);
-  CHECK(desk.timesOf(ClientOnLine::kRequestList, 0).empty());
-}
-
-TEST_CASE("over MAVLink 1 a mission is verified, and a fence is not") {
-  for (const PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
-    ClientOnLine desk(ClientOnLine::kPx4);
-    desk.client.setMavlinkVersion(MavlinkVersion::Version1);
-    desk.run(3000);
-    desk.sent.clear();
-    desk.client.verify(inRam(kPlan), type);
-    desk.run(2000);
-    CHECK(desk.timesOf(ClientOnLine::kRequestList, 0).empty() == (type != PlanType::Mission));
-    CHECK((desk.ended == (type == PlanType::Mission ? Status::Idle : Status::NeedsMavlink2)));
-  }
-}
-
-TEST_CASE("what verify() says of another plan is not about ours, and of an empty autopilot nothing changes") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  desk.client.clear();
-  REQUIRE(desk.runUntilSent(kClearAll, 3000));
-  desk.hear(ackParts(kAccepted));
-  desk.run(5);
-  REQUIRE((desk.client.aboard() == Aboard::Nothing));
-  desk.client.verify(inRam(kOther));
-  CHECK((desk.client.aboard() == Aboard::Nothing));
-  desk.client.cancel();
-  CHECK((desk.client.aboard() == Aboard::Nothing));
-}
-
-TEST_CASE("a fence is verified as a fence") {
-  const MissionItem fence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  desk.client.verify(inRam(fence), PlanType::Fence);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
-  CHECK(desk.sent.back().payload[2] == 1);
-  desk.hear(countParts(1));
-  desk.hear(ackParts(kDenied));  // about missions
-  desk.run(5);
-  CHECK(desk.client.isBusy());
-  desk.hear(countParts(1, PlanType::Fence));
-  desk.run(5);
-  desk.hear(itemParts(0, fence[0]));
-  desk.run(5);
-  CHECK(desk.client.isBusy());
-  desk.hear(itemParts(0, fence[0], PlanType::Fence));
-  desk.run(5);
-  CHECK((desk.ended == Status::Verified));
-  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::OurPlan));
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
-}
-
-TEST_CASE("a refusal to be read is the status, and what is aboard is not known then") {
-  for (const uint8_t result : {kError, kUnsupported, kDenied, kCancelled}) {
-    for (const bool isListing : {true, false}) {
-      Verifying desk(ClientOnLine::kArduPilot);
-      desk.tellPlan();
-      desk.begin();
-      if (!isListing) desk.tellCount();
-      desk.tell(ackParts(kAccepted));
-      desk.tell(ackParts(kInvalidSequence));
-      CHECK(desk.client.isBusy());
-      if (!isListing && result == kError) continue;  // PX4 has ended the reading, which begins anew
-      desk.tell(ackParts(result));
-      CHECK((desk.ended == fromMissionResult(result)));
-      CHECK(desk.client.lastResult() == result);
-      CHECK((desk.client.aboard() == Aboard::NotKnown));
-      CHECK(desk.acks() == std::vector<uint8_t>{kCancelled});
-    }
-  }
-}
-
-TEST_CASE("silence, cancel() and a full sink do not change what is known to be aboard") {
-  MissionItem one[1];
-  for (const Status end : {Status::NoAnswer, Status::Cancelled, Status::SinkFull}) {
-    Verifying desk(ClientOnLine::kArduPilot);
-    desk.tellPlan();
-    desk.begin();
-    if (end != Status::NoAnswer) desk.client.cancel();
-    if (end == Status::SinkFull) {
-      desk.run(3000);
-      desk.client.download(toRam(one));
-      REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-      desk.tellCount();
-    }
-    desk.run(8000);
-    CHECK((desk.ended == end));
-    CHECK((desk.client.aboard() == Aboard::OurPlan));
-  }
-}
-
-TEST_CASE("behind a reset an error or a cancelling may be about what was before, and a denial is not") {
-  for (const uint8_t result : {kError, kCancelled, kDenied}) {
-    for (const bool isListing : {true, false}) {
-      Verifying desk(ClientOnLine::kArduPilot, 0);
-      if (!isListing) desk.tellCount();
-      desk.tell(ackParts(result));
-      CHECK(desk.client.isBusy() == (result != kDenied));
-      CHECK((desk.ended == (result == kDenied ? Status::Denied : Status::Idle)));
-    }
-  }
-}
-
-TEST_CASE("an autopilot that does not know the older request is not taken to refuse the plan") {
-  for (const uint8_t autopilot : {ClientOnLine::kOther, ClientOnLine::kPx4}) {
-    for (int requests = 1; requests <= 4; ++requests) {
-      for (const uint8_t result : {kUnsupported, kDenied}) {
-        Verifying desk(autopilot);
-        desk.tellCount();
-        while (desk.timesOf(ClientOnLine::kRequestInt, 0).size() + desk.timesOf(ClientOnLine::kRequest, 0).size() <
-               static_cast<size_t>(requests)) {
-          desk.run(1);
-        }
-        desk.tell(ackParts(result));
-        const bool goesOn = autopilot == ClientOnLine::kOther && requests > 2 && result == kUnsupported;
-        CHECK(desk.client.isBusy() == goesOn);
-      }
-    }
-  }
-}
-
-TEST_CASE("items that come as floats are compared as well") {
-  Verifying desk(ClientOnLine::kOther);
-  MissionItem plan[] = {waypoint(-35.5_deg, 149.25_deg, 20_m)};
-  desk.client.cancel();
-  desk.run(3000);
-  desk.ended = Status::Idle;
-  desk.client.verify(inRam(plan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.tell(countParts(1));
-  desk.tell(floatItemParts(0, plan[0], -35.5f, 149.25f));
-  CHECK((desk.ended == Status::Verified));
-}
-
-TEST_CASE("a verification that takes too long ends as such") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  desk.client.setOperationTimeout(3);
-  desk.client.verify(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.run(2990);
-  CHECK(desk.client.isBusy());
-  desk.run(20);
-  CHECK((desk.ended == Status::TookTooLong));
-}
-
-namespace {
 
 // PX4 gives a takeoff the place of the next item that has one: the library looks for it in several steps.
 bool readFarPlace(void*, uint16_t index, MissionItem& item) {
@@ -373,77 +32,231 @@ bool readFarPlace(void*, uint16_t index, MissionItem& item) {
 
 }  // namespace
 
+TEST_CASE("a plan is verified item by item, and is ours then") {
+  Verifying copter(kArduPilot);
+  CHECK(copter.plays("verify, count, 5 ms | item 0, item 1, item 2 | item 3") ==
+        "Busy, REQUEST 0-3 | | -> Verified (OurPlan), ACK accepted");
+  for (const uint8_t autopilot : {kPx4, kOther}) {
+    Verifying desk(autopilot);
+    CHECK(desk.plays("verify, count | item 0 | item 1") == "Busy, REQUEST 0 | REQUEST 1 | REQUEST 2");
+    CHECK(desk.client.itemsTotal() == 3);
+    CHECK(desk.client.itemsDone() == 2);
+    CHECK((desk.client.aboard() == Aboard::NotKnown));
+    CHECK(desk.plays("item 2") == "-> Verified (OurPlan), ACK accepted");
+    CHECK(desk.client.itemsDone() == 3);
+    CHECK(desk.client.lastResult() == 255);
+  }
+}
+
+TEST_CASE("REQUEST_LIST leaves in the update() that follows, and tells its target and type alone") {
+  Conversation desk(kPx4, kPlan, PlanType::Rally);
+  CHECK(desk.plays("verify, 1 ms") == "LIST of rally");
+  const Bytes& payload = desk.sent.back().payload;
+  CHECK(Bytes(payload.begin(), payload.begin() + 3) == Bytes{1, 1, 2});
+}
+
+TEST_CASE("an item is asked for by its number, however large, and by nothing else") {
+  Conversation desk(kPx4);
+  desk.isAbout(fromFunction(readTheSame, 700));
+  CHECK(desk.plays("verify, until LIST, count") == "LIST, REQUEST 0");
+  for (uint16_t seq = 0; seq < 600; ++seq) {
+    const Bytes& payload = desk.sent.back().payload;
+    REQUIRE(Bytes(payload.begin(), payload.begin() + 5) ==
+            Bytes{static_cast<uint8_t>(seq), static_cast<uint8_t>(seq >> 8), 1, 1, 0});
+    desk.tell(itemParts(seq, kPlan[0]));
+  }
+}
+
+TEST_CASE("the first field that differs is named with its item, and what is aboard is not known") {
+  const struct {
+    uint16_t item;
+    MissionItem aboard;
+    const char* end;
+  } kCases[] = {{0, waypoint(-35.3632621_deg, 149.1652374_deg, 21_m), "-> Differs at 0 in Height (NotKnown)"},
+                {0, waypoint(-35.3632622_deg, 149.1652374_deg, 20_m), "-> Differs at 0 in Latitude (NotKnown)"},
+                {1, returnToLaunch(), "-> Differs at 1 in Command (NotKnown)"},
+                {2, changeSpeed(5_mps), "-> Differs at 2 in Command (NotKnown)"}};
+  for (const auto& one : kCases) {
+    for (const uint8_t autopilot : {kArduPilot, kPx4}) {
+      Verifying desk(autopilot);
+      desk.plays("count, items");
+      REQUIRE((desk.client.aboard() == Aboard::OurPlan));
+      desk.plays("verify, until LIST");
+      CHECK((desk.client.aboard() == Aboard::OurPlan));
+      const uint16_t wire = static_cast<uint16_t>(one.item + desk.isArduPilot());
+      desk.held[wire] = one.aboard;
+      if (desk.isArduPilot() && one.aboard.param4 != one.aboard.param4) desk.held[wire].param4 = 0;
+      desk.plays("count");
+      for (uint16_t seq = 0; seq < wire; ++seq) desk.plays("item " + std::to_string(seq));
+      CHECK(desk.plays("item " + std::to_string(wire)) == std::string(one.end) + ", ACK cancelled");
+    }
+  }
+}
+
+TEST_CASE("autocontinue is compared, ArduPilot's home is a waypoint above sea level, and the number of items counts") {
+  Verifying px4(kPx4), other(kArduPilot), relative(kArduPilot), fewer(kArduPilot);
+  px4.held[0].autocontinue = 0;
+  CHECK(px4.plays("count | item 0") == "REQUEST 0 | -> Differs at 0 in Autocontinue (NotKnown), ACK cancelled");
+  other.held[0].command = kNavLoiterUnlimited;
+  CHECK(other.plays("count, 5 ms | item 0") == "REQUEST 0-3 | -> Differs in Command (NotKnown), ACK cancelled");
+  relative.held[0].frame = CoordinateFrame::GlobalRelative;
+  CHECK(relative.plays("count, 5 ms | item 0") == "REQUEST 0-3 | -> Differs in Command (NotKnown), ACK cancelled");
+  CHECK(fewer.plays("count 3") == "-> Differs in Count (NotKnown), ACK cancelled");
+}
+
+TEST_CASE("a value that the autopilot does not keep is told as such, with the one that it keeps") {
+  const MissionItem plan[] = {anyCommandAt(kNavWaypoint, -35.3632621_deg, 149.1652374_deg, 20_m, 2.5f)};
+  Conversation desk(kArduPilot, plan);
+  desk.held[1].param1 = 2;
+  CHECK(desk.plays("verify, until LIST, count | items") ==
+        "LIST, REQUEST 0-1 | -> NotKept at 0 in Param1 (NotKnown), ACK cancelled");
+  CHECK(desk.client.keptValue() == 2);
+}
+
+TEST_CASE("what cannot be verified is refused before anything leaves") {
+  Conversation desk(kPx4, kPlan);
+  CHECK((desk.client.verify(inRam(kPlan), PlanType::All) == Status::BadPlanType));
+  CHECK((desk.client.verify(inRam(kPlan, 65536)) == Status::TooManyItems));
+  CHECK((desk.client.status() == Status::TooManyItems));
+  CHECK(desk.plays("100 ms") == "-> BadPlanType (NotKnown)");
+  // Over MAVLink 1 a mission is verified, and a fence is not.
+  desk.client.setMavlinkVersion(MavlinkVersion::Version1);
+  desk.pass(3000);
+  for (const PlanType type : {PlanType::Fence, PlanType::Rally}) {
+    desk.isAbout(inRam(kPlan), type);
+    CHECK(desk.plays("verify, 1 s") == "-> NeedsMavlink2 (NotKnown)");
+  }
+  CHECK(desk.isAbout(inRam(kPlan)).plays("verify, 1 s") == "LIST");
+}
+
+TEST_CASE("of an empty autopilot verify() changes nothing before it has asked") {
+  Conversation desk(kArduPilot, kPlan);
+  CHECK(desk.plays("8 s, clear, until CLEAR, accepted") == "CLEAR, -> Cleared (Nothing)");
+  desk.plays("verify");
+  CHECK((desk.client.aboard() == Aboard::Nothing));
+  CHECK(desk.plays("cancel, 5 ms") == "-> Cancelled (Nothing)");
+}
+
+TEST_CASE("a fence is verified as a fence, whatever is said about missions") {
+  Conversation desk(kArduPilot, kFence, PlanType::Fence);
+  CHECK(
+      desk.plays("8 s, verify, until LIST | count of mission, denied of mission | count | item 0 of mission | items") ==
+      "LIST of fence | | REQUEST 0 of fence | | -> Verified (OurPlan), ACK accepted of fence");
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
+}
+
+TEST_CASE("a refusal to be read is the status, and what is aboard is not known then") {
+  const struct {
+    const char *answer, *end;
+    uint8_t result;
+  } kRefusals[] = {{"error", "-> Error (NotKnown), ACK cancelled", 1},
+                   {"unsupported", "-> Unsupported (NotKnown), ACK cancelled", 3},
+                   {"denied", "-> Denied (NotKnown), ACK cancelled", 14},
+                   {"cancelled", "-> CancelledByAutopilot (NotKnown), ACK cancelled", 15}};
+  for (const auto& one : kRefusals) {
+    for (const std::string so : {"verify, until LIST", "verify, until LIST, count"}) {
+      if (one.result == 1 && so != "verify, until LIST") continue;  // PX4 has ended the reading, which begins anew
+      Verifying desk(kArduPilot);
+      desk.plays("count, items, " + so);
+      REQUIRE((desk.client.aboard() == Aboard::OurPlan));
+      CHECK(desk.plays("accepted, invalid sequence") == "");
+      CHECK(desk.plays(one.answer) == one.end);
+      CHECK(desk.client.lastResult() == one.result);
+    }
+  }
+}
+
+TEST_CASE("silence, cancel() and a full sink do not change what is known to be aboard") {
+  MissionItem one[1];
+  Verifying desk(kArduPilot);
+  desk.plays("count, items");
+  CHECK(desk.plays("verify, until LIST, 8 s") == "LIST x5, -> NoAnswer (OurPlan), ACK cancelled");
+  CHECK(desk.plays("verify, until LIST, cancel, 8 s") == "LIST, ACK cancelled, -> Cancelled (OurPlan)");
+  desk.client.download(toRam(one));
+  CHECK(desk.plays("until LIST, count") == "LIST, -> SinkFull (OurPlan), ACK cancelled");
+}
+
+TEST_CASE("behind a reset an error or a cancelling may be about what was before, and a denial is not") {
+  for (const std::string count : {"", "count, "}) {
+    Verifying error(kArduPilot, 0), cancelled(kArduPilot, 0), denied(kArduPilot, 0);
+    error.plays(count + "error");
+    CHECK(error.client.isBusy());
+    cancelled.plays(count + "cancelled");
+    CHECK(cancelled.client.isBusy());
+    denied.plays(count + "denied");
+    CHECK((denied.client.status() == Status::Denied));
+  }
+}
+
+TEST_CASE("an autopilot that does not know the older request is not taken to refuse the plan") {
+  for (const uint8_t autopilot : {kOther, kPx4}) {
+    for (int requests = 1; requests <= 4; ++requests) {
+      for (const std::string answer : {"unsupported", "denied"}) {
+        Verifying desk(autopilot);
+        desk.hear(countParts(3));
+        const auto asked = [&] {
+          return desk.timesOf(Conversation::kRequestInt, 0).size() + desk.timesOf(Conversation::kRequest, 0).size();
+        };
+        while (asked() < static_cast<size_t>(requests)) desk.pass(1);
+        desk.plays(answer);
+        CHECK(desk.client.isBusy() == (autopilot == kOther && requests > 2 && answer == "unsupported"));
+      }
+    }
+  }
+}
+
+TEST_CASE("items that come as floats are compared as well") {
+  MissionItem plan[] = {waypoint(-35.5_deg, 149.25_deg, 20_m)};
+  Conversation desk(kOther);
+  CHECK(desk.isAbout(inRam(plan)).plays("verify, until LIST, count, float item 0") ==
+        "LIST, REQUEST 0, -> Verified (OurPlan), ACK accepted");
+}
+
+TEST_CASE("a verification that takes too long ends as such") {
+  Conversation desk(kArduPilot, kPlan);
+  desk.client.setOperationTimeout(3);
+  CHECK(desk.plays("verify, until LIST, 2990 ms | 20 ms") ==
+        "LIST x2 | LIST, -> TookTooLong (NotKnown), ACK cancelled");
+}
+
 TEST_CASE("an item whose place has to be searched is asked for again at once, as often as that takes") {
-  ClientOnLine desk(ClientOnLine::kPx4);
-  desk.run(11000);
-  desk.client.verify(fromFunction(readFarPlace, 13));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.hear(countParts(13));
-  desk.run(5);
-  MissionItem aboard;
-  readFarPlace(nullptr, 0, aboard);
-  aboard.x = kPlan[0].x;
-  aboard.y = kPlan[0].y;
-  desk.sent.clear();
+  Conversation desk(kPx4);
+  desk.isAbout(fromFunction(readFarPlace, 13));
+  desk.held[0].x = kPlan[0].x;
+  desk.held[0].y = kPlan[0].y;
+  desk.plays("8 s, verify, until LIST, count");
   int asked = 0;
   for (; asked < 50 && desk.client.itemsDone() == 0; ++asked) {
-    desk.hear(itemParts(0, aboard));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kRequestInt, 20));
+    desk.hear(itemParts(0, desk.held[0]));
+    CHECK(desk.plays("until REQUEST 20 ms") == (desk.client.itemsDone() == 0 ? "REQUEST 0" : "REQUEST 1"));
   }
   CHECK(asked > 10);
   CHECK(desk.client.itemsDone() == 1);
-  CHECK(desk.sent.back().payload[0] == 1);
 }
 
 TEST_CASE(
     "what follows a reading that has repeated its question waits for late answers, and is not delayed otherwise") {
-  for (const bool repeats : {false, true}) {
-    Verifying desk(ClientOnLine::kArduPilot);
-    if (repeats) REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 2000));
-    desk.tellPlan();
-    REQUIRE((desk.ended == Status::Verified));
-    desk.client.clear();
-    CHECK(desk.runUntilSent(kClearAll, 1000) != repeats);
-    CHECK(desk.runUntilSent(kClearAll, 3000));
-  }
+  CHECK(Verifying(kArduPilot).plays("count, items, clear, until CLEAR 1 s") ==
+        "REQUEST 0-3, -> Verified (OurPlan), ACK accepted, CLEAR");
+  CHECK(Verifying(kArduPilot).plays("until LIST 2 s, count, items, clear, 1 s | until CLEAR 3 s") ==
+        "LIST, REQUEST 0-3, -> Verified (OurPlan), ACK accepted | CLEAR");
 }
 
 TEST_CASE("behind a reading PX4 may still be busy with it, for some time") {
-  for (const uint32_t pauseMs : {0, 11000}) {
-    Verifying desk(ClientOnLine::kPx4, 30000);
-    desk.tellPlan();
-    REQUIRE((desk.ended == Status::Verified));
-    desk.run(pauseMs);
-    desk.ended = Status::Idle;
-    desk.client.uploadWithoutReadback(inRam(kPlan));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
-    desk.hear(ackParts(kError));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 2000));
-    desk.hear(ackParts(kError));
-    desk.run(20);
-    CHECK((desk.ended == (pauseMs == 0 ? Status::Idle : Status::Error)));
-  }
+  const std::string refused = "upload unread, until COUNT | error | error, 20 ms";
+  Verifying soon(kPx4, 30000), later(kPx4, 30000);
+  soon.plays("count, items");
+  CHECK(soon.plays(refused) == "COUNT 3 | ACK cancelled, COUNT 3 |");
+  later.plays("count, items, 11 s");
+  CHECK(later.plays(refused) == "COUNT 3 | ACK cancelled, COUNT 3 | -> Error (AsBefore)");
 }
 
 TEST_CASE("while a plan is read an update() takes half as many bytes, so that the comparison has its time") {
-  Verifying desk(ClientOnLine::kPx4);
-  const Bytes noise(600, 0x11);
-  const auto readInOne = [&] {
-    desk.line.bring(noise);
-    const size_t before = desk.line.bytesRead;
-    desk.run(1);
-    const size_t read = desk.line.bytesRead - before;
-    desk.run(50);
-    return read;
-  };
-  const size_t whileReading = readInOne();
+  Verifying desk(kPx4);
+  const size_t whileReading = desk.readInOne();
   CHECK(whileReading > 16);
   CHECK(whileReading <= MAVMISSION_BYTES_PER_UPDATE / 2);
-  desk.client.cancel();
-  desk.run(50);
-  desk.client.verify(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.tell(countParts(7));
-  REQUIRE((desk.ended == Status::Differs));
-  CHECK(readInOne() > MAVMISSION_BYTES_PER_UPDATE / 2);
+  CHECK(desk.plays("cancel, 50 ms, verify, until LIST, count 7") ==
+        "ACK cancelled, -> Cancelled (NotKnown), LIST, -> Differs in Count (NotKnown), ACK cancelled");
+  CHECK(desk.readInOne() > MAVMISSION_BYTES_PER_UPDATE / 2);
 }
