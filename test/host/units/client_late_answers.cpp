@@ -1,193 +1,103 @@
 // What one operation leaves behind for the next: answers that are still on their way, and what aboard() says.
 #include <doctest/doctest.h>
 
-#include "ClientOnLine.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-const uint8_t kAccepted = 0, kError = 1, kCancelled = 15;
-const uint16_t kClearAll = 45;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
 const MissionItem kOther[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 40_m), returnToLaunch()};
+const MissionItem kRally[] = {rallyPoint(1_deg, 1_deg, 20_m)};
 
-// Up to its last item; nothing has answered that.
-void sendPlan(ClientOnLine& desk, uint16_t itemsOnTheWire) {
-  desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
-  for (uint16_t item = 0; item < itemsOnTheWire; ++item) {
-    desk.hear(requestParts(item));
-    REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+// An upload up to its last item; nothing has answered that.
+struct Sent : Conversation {
+  explicit Sent(const char* items = "asks all") : Conversation(kArduPilot, kPlan) {
+    plays(std::string("8 s, upload unread, until COUNT, ") + items);
   }
-}
-
-// As after a line that answers late: the last item was sent twice, and the first of them is accepted.
-void acceptLate(ClientOnLine& desk) {
-  sendPlan(desk, 2);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 2000));
-  desk.hear(ackParts(kAccepted));
-  desk.run(2);
-  REQUIRE((desk.ended == Status::Accepted));
-}
+};
 
 }  // namespace
 
 TEST_CASE("what follows an upload that has repeated its last item is not ended by the answer to that") {
-  for (int second = 0; second < 3; ++second) {
-    ClientOnLine desk(ClientOnLine::kArduPilot);
-    desk.run(11000);
-    acceptLate(desk);
-    desk.sent.clear();
-    if (second == 0) desk.client.clear();
-    if (second == 1) desk.client.verify(inRam(kPlan));
-    if (second == 2) desk.client.uploadWithoutReadback(inRam(kOther));
-    desk.run(100);
-    desk.hear(ackParts(kError));
-    desk.run(1000);
-    desk.hear(ackParts(kError));
-    desk.run(400);
+  for (const std::string next : {"clear", "verify", "upload unread", "arm"}) {
+    Sent desk;
+    CHECK(desk.plays("until ITEM 2 s, accepted") == "ITEM 1, -> Accepted (OurPlan)");
+    if (next != "arm") desk.isAbout(next == "upload unread" ? inRam(kOther) : inRam(kPlan));
+    CHECK(desk.plays(next + ", 100 ms, error, 1 s, error, 400 ms | 600 ms") ==
+          (next == "clear"    ? "| CLEAR"
+           : next == "verify" ? "| LIST"
+           : next == "arm"    ? "LONG 400 1 |"  // a command does not wait for answers of the mission protocol
+                              : "| COUNT 3"));
     CHECK(desk.client.isBusy());
-    CHECK(desk.timesOf(kClearAll, 0).empty());
-    CHECK(desk.timesOf(ClientOnLine::kRequestList, 0).empty());
-    CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
-    const uint16_t first[] = {kClearAll, ClientOnLine::kRequestList, ClientOnLine::kCount};
-    CHECK(desk.runUntilSent(first[second], 600));
   }
 }
 
 TEST_CASE("what follows an upload that has repeated nothing waits until a copy of its last message has been answered") {
-  for (const uint8_t answer : {kAccepted, kError}) {
-    ClientOnLine desk(ClientOnLine::kArduPilot);
-    desk.run(11000);
-    sendPlan(desk, 2);
-    desk.hear(ackParts(kAccepted));
-    desk.run(2);
-    REQUIRE((desk.ended == Status::Accepted));
-    desk.client.clear();
-    desk.run(350);
-    desk.hear(ackParts(answer));  // what a copy of the last item draws from PX4, and from ArduPilot
-    CHECK_FALSE(desk.runUntilSent(kClearAll, 30));
-    CHECK(desk.runUntilSent(kClearAll, 40));
-    CHECK(desk.client.isBusy());
+  for (const std::string answer :
+       {"accepted", "error"}) {  // what a copy of the last item draws from PX4, and from ArduPilot
+    CHECK(Sent().plays("accepted, clear, 347 ms, " + answer + ", 25 ms | 45 ms") == "-> Accepted (OurPlan) | CLEAR");
   }
 }
 
 TEST_CASE("behind an upload in which a frame came twice it also waits for the copy of that answer") {
-  enum class Twice { Never, BeforeIt, InIt };
-  for (const Twice twice : {Twice::Never, Twice::BeforeIt, Twice::InIt}) {
-    ClientOnLine desk(ClientOnLine::kArduPilot);
-    desk.run(11100);
-    if (twice == Twice::BeforeIt) {
-      desk.lose(255);  // the next frame has the number of the last one
-      desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
-      desk.run(10);
-    }
-    sendPlan(desk, 2);
-    if (twice == Twice::InIt) desk.lose(255);
-    desk.hear(ackParts(kAccepted));
-    desk.run(2);
-    REQUIRE((desk.ended == Status::Accepted));
-    desk.client.clear();
-    CHECK(desk.runUntilSent(kClearAll, 700) == (twice != Twice::InIt));
-    CHECK(desk.runUntilSent(kClearAll, 200) == (twice == Twice::InIt));
-  }
-}
-
-TEST_CASE("a command does not wait for late answers of the mission protocol") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  acceptLate(desk);
-  desk.client.arm();
-  CHECK(desk.runUntilSent(76, 10));
+  CHECK(Sent().plays("accepted, clear, 700 ms") == "-> Accepted (OurPlan), CLEAR");
+  CHECK(Sent().plays("twice, accepted, clear, 700 ms | 200 ms") == "-> Accepted (OurPlan) | CLEAR");
+  Conversation before(kArduPilot, kPlan);
+  before.plays("8100 ms, twice, beat, upload unread, until COUNT, asks all");
+  CHECK(before.plays("accepted, clear, 700 ms") == "-> Accepted (OurPlan), CLEAR");
 }
 
 TEST_CASE("the acceptance of an upload that was cancelled is not that of the next one") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  sendPlan(desk, 2);
-  desk.client.cancel();
-  desk.run(2);
-  desk.ended = Status::Idle;
-  desk.client.uploadWithoutReadback(emptyPlan());
-  desk.run(700);
-  desk.hear(ackParts(kAccepted));
-  desk.run(50);
-  CHECK((desk.ended == Status::Idle));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1500));
-  desk.hear(ackParts(kAccepted));
-  desk.run(2);
-  CHECK((desk.ended == Status::Unconfirmed));  // it looks the same
+  Sent desk;
+  desk.plays("cancel, 2 ms");
+  CHECK(desk.isAbout(emptyPlan()).plays("upload unread, 700 ms, accepted, 50 ms") == "");
+  CHECK(desk.plays("until COUNT 1500 ms, accepted") == "COUNT 0, -> Unconfirmed (NotKnown)");  // it looks the same
 }
 
 TEST_CASE("ArduPilot gives up an upload that was left open, and the clear or the reading goes on") {
-  for (const bool clears : {true, false}) {
-    ClientOnLine desk(ClientOnLine::kArduPilot);
-    desk.run(11000);
-    sendPlan(desk, 1);
-    desk.client.cancel();
-    desk.run(2500);
-    if (clears) {
-      desk.client.clear();
-      REQUIRE(desk.runUntilSent(kClearAll, 10));
-    } else {
-      desk.client.verify(inRam(kPlan));
-      REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
-    }
-    desk.hear(ackParts(kCancelled));
-    desk.run(2);
+  for (const std::string next : {"clear", "verify"}) {
+    Sent desk("asks 0");
+    desk.plays("cancel, 2500 ms");
+    CHECK(desk.plays(next + ", 10 ms, cancelled") == (next == "clear" ? "CLEAR" : "LIST"));
     CHECK(desk.client.isBusy());
   }
 }
 
 TEST_CASE("an empty plan is not accepted while its COUNT waits for room") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
+  Conversation desk(kArduPilot, 65000, 0);
+  desk.pass(3000);
   REQUIRE(desk.runUntilSent(0, 1100));  // our heartbeat, so that none is due now
   desk.line.room = 4;
   desk.line.takes = 4;
-  desk.client.uploadWithoutReadback(emptyPlan());
-  desk.run(1);
+  desk.plays("upload unread, 1 ms");
   desk.line.room = 0;
-  desk.run(20);
-  desk.hear(ackParts(kAccepted));
-  desk.run(20);
+  CHECK(desk.plays("20 ms, accepted, 15 ms") == "");
   CHECK(desk.client.isBusy());
-  desk.line.room = desk.line.kAlwaysRoom;
   desk.line.takes = 1000000;
-  desk.run(10);
-  desk.hear(ackParts(kAccepted));
-  desk.run(2);
-  CHECK((desk.ended == Status::Accepted));
+  CHECK(desk.plays("free, 10 ms, accepted") == "COUNT 0, -> Accepted (OurPlan)");
 }
 
 TEST_CASE("aboard() is about the plan that was given last, from its first message on") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(11000);
-  sendPlan(desk, 2);
-  desk.hear(ackParts(kAccepted));
-  desk.run(2);
-  REQUIRE((desk.client.aboard() == Aboard::OurPlan));
-
-  desk.client.verify(inRam(kPlan));  // the same one
-  desk.client.cancel();
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
-
-  uint16_t first = ClientOnLine::kRequestList;
-  Aboard then = Aboard::NotKnown;
-  SUBCASE("verify() of another one") { desk.client.verify(inRam(kOther)); }
-  SUBCASE("a longer part of the same array") { desk.client.verify(inRam(kPlan, 2)); }
-  SUBCASE("upload() of another one") {
-    desk.client.uploadWithoutReadback(inRam(kOther));
-    first = ClientOnLine::kCount;
+  const struct {
+    const char* call;
+    ItemSource plan;
+    PlanType type;
+    Aboard then;
+  } kNext[] = {{"verify", inRam(kOther), PlanType::Mission, Aboard::NotKnown},
+               {"verify", inRam(kPlan, 2), PlanType::Mission, Aboard::NotKnown},  // a longer part of the same array
+               {"upload unread", inRam(kOther), PlanType::Mission, Aboard::NotKnown},
+               {"upload unread", inRam(kRally), PlanType::Rally, Aboard::OurPlan}};
+  for (const auto& next : kNext) {
+    Sent desk;
+    CHECK(desk.plays("accepted, verify, cancel, 5 ms") == "-> Accepted (OurPlan), -> Cancelled (OurPlan)");  // the same
+    desk.plan = next.plan;
+    desk.type = next.type;
+    desk.plays(next.call);
+    CHECK((desk.client.aboard() == Aboard::OurPlan));
+    desk.plays(std::string("until ") + (std::string(next.call) == "verify" ? "LIST" : "COUNT"));
+    CHECK((desk.client.aboard() == next.then));
   }
-  SUBCASE("a plan of another type") {
-    static const MissionItem kRally[] = {rallyPoint(1_deg, 1_deg, 20_m)};
-    desk.client.uploadWithoutReadback(inRam(kRally), PlanType::Rally);
-    first = ClientOnLine::kCount;
-    then = Aboard::OurPlan;
-  }
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
-  CHECK(desk.runUntilSent(first, 9000));
-  CHECK((desk.client.aboard() == then));
 }

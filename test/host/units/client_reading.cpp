@@ -1,182 +1,119 @@
 // Downloads and verifications by a whole client.
 #include <doctest/doctest.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-bool ignore(void*, uint16_t, const MissionItem&) { return true; }
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4, kOther = Conversation::kOther;
 
-// The messages by which an item is asked for that never comes.
-std::vector<uint16_t> requestsOfAnItem(uint8_t autopilot) {
-  ClientOnLine desk(autopilot);
-  desk.run(3000);
-  desk.client.download(toFunction(ignore));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.hear(countParts(3));
-  desk.sent.clear();
-  desk.run(3000);
-  CHECK((desk.ended == Status::TimedOut));
-  std::vector<uint16_t> messages;
-  for (const SentFrame& frame : desk.sent) {
-    const bool isRequest = frame.messageId == ClientOnLine::kRequest || frame.messageId == ClientOnLine::kRequestInt;
-    if (isRequest && frame.payload[0] == 0) {
-      messages.push_back(frame.messageId);
-    }
+// A reading of a plan of eight items, each of which has its number in it.
+struct Reading : Conversation {
+  std::vector<uint16_t> taken;
+
+  explicit Reading(uint8_t autopilot, const std::string& before = "") : Conversation(autopilot) {
+    held.assign(8, waypoint(-35_deg, 149_deg, 20_m));
+    for (uint16_t seq = 0; seq < 8; ++seq) held[seq].param1 = seq;
+    client.download(toFunction(take, this));
+    plays("until LIST, 5 ms, " + before);
   }
-  return messages;
-}
+  static bool take(void* context, uint16_t index, const MissionItem& item) {
+    Reading& reading = *static_cast<Reading*>(context);
+    CHECK(item.param1 == static_cast<uint16_t>(index + (reading.isArduPilot() ? 1 : 0)));
+    reading.taken.push_back(index);
+    return true;
+  }
+  // These come at once.
+  void give(const std::vector<uint16_t>& items) {
+    for (const uint16_t seq : items) hear(itemParts(seq, held[seq]));
+  }
+  // Each of ArduPilot's items has been taken once, home first.
+  void checkAllTaken() {
+    CHECK((ended == Status::Downloaded));
+    CHECK(client.itemsDone() == 7);
+    CHECK(taken == std::vector<uint16_t>{0xFFFF, 0, 1, 2, 3, 4, 5, 6});
+  }
+};
 
 }  // namespace
 
 TEST_CASE("an autopilot that is neither is asked for an item twice by the new request, then by both in turns") {
-  const uint16_t newer = ClientOnLine::kRequestInt, older = ClientOnLine::kRequest;
-  CHECK(requestsOfAnItem(ClientOnLine::kOther) ==
-        std::vector<uint16_t>{newer, newer, older, newer, older, newer, older, newer});
+  const std::string inTurns = ", OLD REQUEST 0, REQUEST 0";
+  CHECK(Reading(kOther).plays("count 3, 3 s") ==
+        "REQUEST 0 x2" + inTurns + inTurns + inTurns + ", -> TimedOut (NotKnown), ACK cancelled");
+  CHECK(Reading(kPx4).plays("count 3, 3 s") == "REQUEST 0 x8, -> TimedOut (NotKnown), ACK cancelled");
+  const std::string ofCopter = Reading(kArduPilot).plays("count 3, 3 s");
+  CHECK(ofCopter.compare(0, 11, "REQUEST 0-2") == 0);
+  CHECK(ofCopter.find("OLD") == std::string::npos);
 }
 
-namespace {
-
-// A reading of a plan of `items` items, as far as its count has come.
-struct Reading : ClientOnLine {
-  std::vector<uint16_t> taken;
-  Reading(uint8_t autopilot, uint16_t items, bool hasLost = false) : ClientOnLine(autopilot) {
-    run(3000);
-    client.download(toFunction(take, this));
-    REQUIRE(runUntilSent(kRequestList, 3000));
-    run(5);
-    if (hasLost) lose(1);
-    hear(countParts(items));
-  }
-  static bool take(void* context, uint16_t index, const MissionItem& item) {
-    Reading& reading = *static_cast<Reading*>(context);
-    const bool hasHome = reading.client.firmware() == Firmware::ArduPilot;
-    CHECK(item.param1 == static_cast<uint16_t>(index + (hasHome ? 1 : 0)));
-    reading.taken.push_back(index);
-    return true;
-  }
-  void give(uint16_t seq) {
-    MissionItem item = waypoint(-35_deg, 149_deg, 20_m);
-    item.param1 = seq;
-    hear(itemParts(seq, item));
-  }
-  // The numbers of the items that are asked for in so many ms.
-  std::vector<int> asked(uint32_t ms, uint32_t step = 1) {
-    sent.clear();
-    run(ms, step);
-    std::vector<int> numbers;
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId == kRequestInt) numbers.push_back(frame.payload[0]);
-    }
-    return numbers;
-  }
-  void end(uint16_t items) {
-    CHECK((ended == Status::Downloaded));
-    CHECK(client.itemsDone() == items);
-    REQUIRE(taken.size() == items + 1u);
-    for (uint16_t i = 0; i <= items; ++i) CHECK(taken[i] == static_cast<uint16_t>(i - 1));
-  }
-};
-
-typedef std::vector<int> Numbers;
-
-}  // namespace
-
 TEST_CASE("of ArduPilot's items five are asked for, and another one with each that comes") {
-  Reading desk(ClientOnLine::kArduPilot, 8);
-  CHECK(desk.asked(20) == Numbers{0, 1, 2, 3, 4});
-  for (uint16_t seq = 0; seq < 8; ++seq) {
-    desk.give(seq);
-    CHECK(desk.asked(20) == (seq < 3 ? Numbers{seq + 5} : Numbers{}));
-  }
-  desk.end(7);
+  Reading desk(kArduPilot);
+  CHECK(desk.plays("count, 15 ms | item 0, 15 ms | item 1, 15 ms | item 2, 15 ms | item 3, item 4, item 5, item 6") ==
+        "REQUEST 0-4 | REQUEST 5 | REQUEST 6 | REQUEST 7 |");
+  CHECK(desk.plays("item 7") == "-> Downloaded (NotKnown), ACK accepted");
+  desk.checkAllTaken();
 }
 
 TEST_CASE("several of ArduPilot's items come at once") {
-  Reading desk(ClientOnLine::kArduPilot, 8);
-  desk.asked(20);
-  for (uint16_t seq = 0; seq < 5; ++seq) desk.give(seq);
-  CHECK(desk.asked(20) == Numbers{5, 6, 7});
-  for (uint16_t seq = 5; seq < 8; ++seq) desk.give(seq);
-  desk.run(20);
-  desk.end(7);
+  Reading desk(kArduPilot);
+  desk.plays("count, 15 ms");
+  desk.give({0, 1, 2, 3, 4});
+  CHECK(desk.plays("20 ms") == "REQUEST 5-7");
+  desk.give({5, 6, 7});
+  desk.pass(20);
+  desk.checkAllTaken();
 }
 
 TEST_CASE("PX4's items, and those of one that is not known, are asked for one by one") {
-  for (uint8_t autopilot : {ClientOnLine::kPx4, ClientOnLine::kOther}) {
-    Reading desk(autopilot, 8);
-    CHECK(desk.asked(20) == Numbers{0});
-    desk.give(1);
-    CHECK(desk.asked(20).empty());
-    desk.give(0);
-    CHECK(desk.asked(20) == Numbers{1});
+  for (const uint8_t autopilot : {kPx4, kOther}) {
+    CHECK(Reading(autopilot).plays("count, 15 ms | item 1, 15 ms | item 0, 15 ms") == "REQUEST 0 | | REQUEST 1");
   }
 }
 
 TEST_CASE("ArduPilot's items are asked for one by one where update() is called seldom, and the buffer would overflow") {
-  Reading desk(ClientOnLine::kArduPilot, 8);
-  CHECK(desk.asked(40, 10) == Numbers{0});
-  desk.give(0);
-  CHECK(desk.asked(40, 10) == Numbers{1});
+  Reading desk(kArduPilot);
+  desk.hear(countParts(8));
+  desk.run(40, 10);
+  CHECK(desk.timesOf(Conversation::kRequestInt, 0).size() == 1);
+  desk.give({0});
+  desk.run(40, 10);
+  CHECK(desk.timesOf(Conversation::kRequestInt, 0).size() == 2);
+  CHECK(desk.sent.back().payload[0] == 1);
 }
 
 TEST_CASE("ArduPilot's items are asked for one by one on a line that has lost something") {
-  Reading desk(ClientOnLine::kArduPilot, 8, true);
-  const Numbers asked = desk.asked(50);
-  CHECK(asked.size() > 1);  // it is not answered
-  for (const uint16_t item : asked) CHECK(item == 0);
+  CHECK(Reading(kArduPilot, "lost").plays("count, 45 ms").compare(0, 11, "REQUEST 0 x") == 0);  // it is not answered
 }
 
 TEST_CASE("what comes ahead of a lost item is asked for anew behind it, and each is taken once") {
-  Reading desk(ClientOnLine::kArduPilot, 8);
-  CHECK(desk.asked(20) == Numbers{0, 1, 2, 3, 4});
-  desk.give(0);
-  desk.give(2);  // the request for item 1 is lost
-  desk.give(3);
-  CHECK(desk.asked(100) == Numbers{5});
-  desk.give(4);
-  desk.give(5);
-  CHECK(desk.asked(1) == Numbers{});
-  CHECK(desk.asked(300) == Numbers{1, 2, 3, 4, 5});
+  Reading desk(kArduPilot);
+  CHECK(desk.plays("count, 15 ms") == "REQUEST 0-4");
+  desk.give({0, 2, 3});  // the request for item 1 is lost
+  CHECK(desk.plays("100 ms") == "REQUEST 5");
+  desk.give({4, 5});
+  CHECK(desk.plays("1 ms | 300 ms") == "| REQUEST 1-5");
   for (uint16_t seq = 1; seq < 8; ++seq) {
-    desk.give(seq);
-    desk.give(seq);  // the line brings it again
-    desk.run(20);
+    desk.give({seq, seq});  // the line brings it again
+    desk.pass(20);
   }
-  desk.end(7);
+  desk.checkAllTaken();
 }
 
 TEST_CASE("an item that was not asked for yet is not taken, whatever has been asked for before it") {
-  Reading desk(ClientOnLine::kArduPilot, 8);
-  desk.asked(20);
-  for (uint16_t seq : {5, 6, 1, 4, 0, 0}) desk.give(seq);
-  CHECK(desk.asked(20) == Numbers{5});
+  Reading desk(kArduPilot);
+  desk.plays("count, 15 ms");
+  desk.give({5, 6, 1, 4, 0, 0});
+  CHECK(desk.plays("20 ms") == "REQUEST 5");
   CHECK(desk.taken.size() == 1);
 }
 
 TEST_CASE("each of ArduPilot's refusals of several requests is an answer to the same reading") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
   const MissionItem plan[] = {waypoint(-35_deg, 149_deg, 20_m), waypoint(-35_deg, 149_deg, 20_m)};
-  desk.client.verify(inRam(plan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
-  desk.hear(countParts(3));
-  desk.run(20);
-  desk.sent.clear();
+  Conversation desk(kArduPilot, plan);
+  desk.plays("verify, until LIST, count, 15 ms");
   for (int i = 0; i < 3; ++i) desk.hear(ackParts(1));  // somebody has made the plan shorter
-  desk.run(100);
-  CHECK(desk.client.isBusy());
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 1000));
-  desk.hear(countParts(1));
-  desk.run(20);
-  CHECK((desk.ended == Status::Differs));
-}
-
-TEST_CASE("ArduPilot and PX4 are asked for an item by the new request alone") {
-  for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    CHECK(requestsOfAnItem(autopilot) == std::vector<uint16_t>(8, ClientOnLine::kRequestInt));
-  }
+  CHECK(desk.plays("100 ms | until LIST 1 s, count 1") == "| LIST, -> Differs in Count (NotKnown), ACK cancelled");
 }
