@@ -1,35 +1,35 @@
 // What a sketch calls, and what calls it, whichever operation runs: the ends, the progress, cancel(), the ids, the
 // time.
 #include <doctest/doctest.h>
-#include <string.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include "Conversation.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr uint16_t kClearAll = 45, kCommandLong = 76;
-constexpr uint8_t kAccepted = 0, kNoSpace = 4, kDenied = 14, kCancelled = 15;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), changeSpeed(5_mps), returnToLaunch()};
-const FlightCommand kCommand = flightCommand(2500);
+const MissionItem kFence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
+const MissionItem kRally[] = {rallyPoint(-35.36_deg, 149.16_deg, 20_m)};
 
-typedef std::vector<Status> Ends;
+std::string text(const std::vector<Status>& ends) {
+  std::string all;
+  for (const Status end : ends) all += (all.empty() ? "" : ", ") + std::string(nameOf(end));
+  return all;
+}
 
-struct Sketch : ClientOnLine {
-  Ends told;
+// Its callbacks call the client.
+struct Sketch : Conversation {
   int refused = 0;         // how many operations each end begins that are refused at once
   bool begins = false;     // whether the next end begins an upload
   bool cancels = false;    // whether it cancels that, or whatever runs
   bool cancelsOn = false;  // whether progress is cancelled
   Status updated = Status::Idle;
 
-  explicit Sketch(uint8_t autopilot = kArduPilot, uint32_t startMs = 65000) : ClientOnLine(autopilot, startMs) {
+  explicit Sketch(uint8_t autopilot = kArduPilot) : Conversation(autopilot, kPlan) {
     client.onEnd(onEnd, this);
     client.onProgress(onProgress, this);
-    run(3000);
-    sent.clear();
   }
   static void onEnd(void* context, Status status) {
     Sketch& sketch = *static_cast<Sketch*>(context);
@@ -37,10 +37,7 @@ struct Sketch : ClientOnLine {
     if (sketch.told.size() == 1) sketch.updated = sketch.client.update();
     const bool begins = sketch.begins;
     sketch.begins = false;
-    if (sketch.refused > 0) {
-      --sketch.refused;
-      sketch.client.upload(inRam(kPlan), PlanType::All);
-    }
+    if (sketch.refused-- > 0) sketch.client.upload(inRam(kPlan), PlanType::All);
     if (begins) sketch.client.upload(inRam(kPlan));
     if (sketch.cancels) sketch.client.cancel();
     sketch.cancels = false;
@@ -49,79 +46,72 @@ struct Sketch : ClientOnLine {
     Sketch& sketch = *static_cast<Sketch*>(context);
     if (sketch.cancelsOn) sketch.client.cancel();
   }
+  // The answers to a clear.
   void clear() {
-    client.clear();
-    REQUIRE(runUntilSent(kClearAll, 3000));
-    hear(ackParts(kAccepted));
+    plays("clear, until CLEAR");
+    hear(ackParts(0));
     if (runUntilSent(kRequestList, 1)) hear(countParts(0));
   }
-  // An upload up to its last item.
-  void upload(uint16_t items = 4) {
-    client.uploadWithoutReadback(inRam(kPlan));
-    REQUIRE(runUntilSent(kCount, 3000));
-    for (uint16_t item = 0; item < items; ++item) {
-      hear(requestParts(item));
-      REQUIRE(runUntilSent(kItemInt, 50));
-    }
-  }
-  std::vector<uint8_t> acks() const {
-    std::vector<uint8_t> results;
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId == kAck) results.push_back(frame.payload[2]);
-    }
-    return results;
+  // The ends that update() has returned, and onEnd() was told.
+  std::string both() const {
+    return text(ends) == text(told) ? text(told) : "returned " + text(ends) + ", told " + text(told);
   }
 };
+
+// Whoever hears the text begins an upload, and cancels it.
+void onText(void* context, uint8_t, const char*) {
+  MissionClient& client = *static_cast<MissionClient*>(context);
+  client.upload(inRam(kPlan));
+  client.cancel();
+}
+
+bool readCounted(void* reads, uint16_t, MissionItem& item) {
+  ++*static_cast<int*>(reads);
+  item = kPlan[0];
+  return true;
+}
 
 }  // namespace
 
 TEST_CASE("each end is told once, with its status, by the function that the sketch has given last") {
   Sketch sketch;
   sketch.clear();
-  sketch.run(5);
-  CHECK(sketch.told == Ends{Status::Cleared});
-  CHECK(sketch.ends == Ends{Status::Cleared});
+  sketch.pass(5);
+  CHECK(sketch.both() == "Cleared");
   CHECK((sketch.updated == Status::Busy));  // within an update()
   CHECK((sketch.client.upload(inRam(kPlan), PlanType::All) == Status::BadPlanType));
-  CHECK(sketch.told == Ends{Status::Cleared, Status::BadPlanType});
-  sketch.run(5);
-  CHECK(sketch.ends == Ends{Status::Cleared, Status::BadPlanType});
-  sketch.client.clear();
-  sketch.client.cancel();
+  CHECK(text(sketch.told) == "Cleared, BadPlanType");
+  sketch.pass(5);
+  CHECK(sketch.both() == "Cleared, BadPlanType");
+  sketch.plays("clear, cancel");
   CHECK((sketch.told.back() == Status::Cancelled));
-  sketch.client.cancel();
-  sketch.run(5);
-  CHECK(sketch.told.size() == 3);
-  CHECK(sketch.ends.size() == 3);
+  sketch.plays("cancel, 5 ms");
+  CHECK(sketch.both() == "Cleared, BadPlanType, Cancelled");
   sketch.client.onEnd(nullptr);
   sketch.clear();
-  sketch.run(5);
-  CHECK(sketch.told.size() == 3);
-  CHECK(sketch.ends.size() == 4);
+  sketch.pass(5);
+  CHECK(sketch.both() == "returned Cleared, BadPlanType, Cancelled, Cleared, told Cleared, BadPlanType, Cancelled");
 }
 
 TEST_CASE("an operation that an end begins, and that ends at once, is told about by the next update()") {
   Sketch sketch;
   sketch.refused = 20;
   sketch.clear();
-  while (sketch.ends.empty()) sketch.run(1);
-  CHECK(sketch.ends == Ends{Status::Cleared});
-  CHECK(sketch.told == Ends{Status::Cleared});
+  while (sketch.ends.empty()) sketch.pass(1);
+  std::string expected = "Cleared";
+  CHECK(sketch.both() == expected);
   CHECK(sketch.client.isBusy());
   for (size_t i = 1; i <= 20; ++i) {
-    if (i % 2 == 0) sketch.hear(heartbeatParts(ClientOnLine::kArduPilot));
-    sketch.run(1);
-    CHECK(sketch.ends.size() == i + 1);
-    CHECK(sketch.told.size() == i + 1);
-    CHECK((sketch.told.back() == Status::BadPlanType));
-    CHECK((sketch.ends.back() == Status::BadPlanType));
+    if (i % 2 == 0) sketch.hear(heartbeatParts(kArduPilot));
+    sketch.pass(1);
+    expected += ", BadPlanType";
+    CHECK(sketch.both() == expected);
   }
-  sketch.run(5);
+  sketch.pass(5);
   CHECK_FALSE(sketch.client.isBusy());
-  CHECK(sketch.told.size() == 21);
   sketch.clear();
-  sketch.run(5);
-  CHECK((sketch.told.back() == Status::Cleared));
+  sketch.pass(5);
+  CHECK(sketch.both() == expected + ", Cleared");
 }
 
 TEST_CASE("an operation that an end begins goes on, and is cancelled where that end wants it") {
@@ -130,163 +120,93 @@ TEST_CASE("an operation that an end begins goes on, and is cancelled where that 
     sketch.begins = true;
     sketch.cancels = cancels;
     sketch.clear();
-    while (sketch.ends.empty()) sketch.run(1);
-    CHECK(sketch.ends == Ends{Status::Cleared});
-    CHECK(sketch.told == Ends{Status::Cleared});
+    while (sketch.ends.empty()) sketch.pass(1);
+    CHECK(sketch.both() == "Cleared");
     CHECK(sketch.client.isBusy());
-    sketch.hear(heartbeatParts(ClientOnLine::kArduPilot));
-    sketch.run(1);
+    sketch.hear(heartbeatParts(kArduPilot));
+    sketch.pass(1);
     CHECK(sketch.client.isBusy() != cancels);
-    CHECK(sketch.ends.size() == (cancels ? 2 : 1));
-    CHECK(sketch.told.size() == (cancels ? 2 : 1));
-    if (cancels) CHECK((sketch.told.back() == Status::Cancelled));
-    if (cancels) CHECK((sketch.ends.back() == Status::Cancelled));
-    sketch.client.cancel();
-    sketch.run(3000);
+    CHECK(sketch.both() == (cancels ? "Cleared, Cancelled" : "Cleared"));
+    sketch.plays("cancel, 3 s");
     sketch.told.clear();
     sketch.clear();
-    sketch.run(5);
-    CHECK(sketch.told == Ends{Status::Cleared});
+    sketch.pass(5);
+    CHECK(text(sketch.told) == "Cleared");
   }
 }
 
 TEST_CASE("cancel() in a callback takes effect at the end of that update(), unless the operation has ended by itself") {
-  Sketch sketch;
+  Sketch sketch, other;
   sketch.cancelsOn = true;
-  sketch.upload(2);
+  sketch.plays("upload unread, until COUNT, asks 0-1");
   CHECK(sketch.client.isBusy());
-  sketch.hear(requestParts(2));  // the first item is done
-  sketch.run(1);
-  CHECK(sketch.told == Ends{Status::Cancelled});
-  CHECK(sketch.ends == Ends{Status::Cancelled});
-  CHECK((sketch.client.aboard() == Aboard::Mixture));
-  sketch.run(5);
-  CHECK(sketch.acks() == std::vector<uint8_t>{kCancelled});
+  CHECK(sketch.plays("asks 2, 5 ms") == "-> Cancelled (Mixture), ACK cancelled, no ITEM 2");  // the first item is done
+  CHECK(sketch.both() == "Cancelled");
 
-  Sketch other;
-  other.upload();
+  other.plays("upload unread, until COUNT, asks all");
   other.cancelsOn = true;  // at the last item, with which the operation ends
   other.cancels = true;    // and in that end: nothing runs
-  other.hear(ackParts(kAccepted));
-  other.run(5);
-  CHECK(other.told == Ends{Status::Accepted});
+  CHECK(other.plays("accepted") == "-> Accepted (OurPlan)");
   CHECK((other.client.status() == Status::Accepted));
-  CHECK((other.client.aboard() == Aboard::OurPlan));
   other.clear();
-  other.run(5);
-  CHECK((other.told.back() == Status::Cleared));
+  other.pass(5);
+  CHECK(other.both() == "Accepted, Cleared");
 }
 
 TEST_CASE("what is cancelled is told to the autopilot with its type, as soon as that can be") {
-  for (const PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
-    for (const bool uploads : {true, false}) {
-      const MissionItem fence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
-      const MissionItem rally[] = {rallyPoint(-35.36_deg, 149.16_deg, 20_m)};
-      const ItemSource plan = type == PlanType::Mission ? inRam(kPlan)
-                              : type == PlanType::Fence ? inRam(fence)
-                                                        : inRam(rally);
-      Sketch sketch;
-      if (uploads) {
-        sketch.client.uploadWithoutReadback(plan, type);
-      } else {
-        sketch.client.verify(plan, type);
-      }
-      REQUIRE(sketch.runUntilSent(uploads ? ClientOnLine::kCount : ClientOnLine::kRequestList, 20));
-      sketch.line.room = 0;
-      sketch.run(1200);  // our heartbeat waits for room
-      sketch.client.cancel();
-      CHECK(sketch.told == Ends{Status::Cancelled});
-      CHECK((sketch.client.aboard(type) == Aboard::NotKnown));
-      sketch.beats = false;
-      sketch.run(6000);
-      sketch.line.room = sketch.line.kAlwaysRoom;
-      sketch.run(500);
-      CHECK(sketch.acks().empty());  // it is not heard: it would not hear us either
-      sketch.beats = true;
-      sketch.run(2000);
-      REQUIRE(sketch.acks() == std::vector<uint8_t>{kCancelled});
-      for (const SentFrame& frame : sketch.sent) {
-        if (frame.messageId == ClientOnLine::kAck) CHECK(frame.payload[3] == static_cast<uint8_t>(type));
-      }
+  const struct {
+    PlanType type;
+    ItemSource plan;
+    const char* of;
+  } kPlans[] = {{PlanType::Mission, inRam(kPlan, 3), ""},
+                {PlanType::Fence, inRam(kFence, 1), " of fence"},
+                {PlanType::Rally, inRam(kRally, 1), " of rally"}};
+  for (const auto& one : kPlans) {
+    for (const std::string call : {"upload unread", "verify"}) {
+      Conversation desk(kArduPilot);
+      desk.isAbout(one.plan, one.type).plays(call + ", 20 ms, full, cancel");
+      CHECK(text(desk.told) == "Cancelled");
+      CHECK((desk.client.aboard(one.type) == Aboard::NotKnown));
+      // While it is not heard it would not hear us either.
+      CHECK(desk.plays("silence, 6 s | free, 500 ms | heartbeats, 2 s") ==
+            "-> Cancelled (NotKnown) | | ACK cancelled" + std::string(one.of));
     }
   }
 }
 
 TEST_CASE("what was cancelled before anything left is cancelled without a word, and what follows begins at once") {
-  Sketch sketch;
-  sketch.client.verify(inRam(kPlan));
-  sketch.client.cancel();
-  sketch.client.uploadWithoutReadback(inRam(kPlan));
-  sketch.client.cancel();
-  sketch.client.clear();
-  CHECK(sketch.runUntilSent(kClearAll, 10));
-  CHECK(sketch.acks().empty());
+  Conversation desk(kArduPilot, kPlan);
+  CHECK(desk.plays("verify, cancel, upload unread, cancel, clear, 10 ms") == "-> Cancelled (NotKnown), CLEAR");
 }
 
-TEST_CASE("a command between does not shorten the wait for late answers to what was cancelled") {
-  Sketch sketch;
-  sketch.upload(2);
-  sketch.client.cancel();
-  sketch.client.send(kCommand);
-  REQUIRE(sketch.runUntilSent(kCommandLong, 20));
-  sketch.hear(commandAckParts(2500, 0));
-  sketch.run(5);
-  REQUIRE((sketch.told.back() == Status::Done));
-  sketch.client.verify(inRam(kPlan));
-  CHECK_FALSE(sketch.runUntilSent(ClientOnLine::kRequestList, 1400));
-  CHECK(sketch.runUntilSent(ClientOnLine::kRequestList, 1000));
-}
-
-TEST_CASE("a command that is cancelled delays nothing of the mission protocol") {
-  Sketch sketch;
-  sketch.client.send(kCommand);
-  REQUIRE(sketch.runUntilSent(kCommandLong, 20));
-  sketch.client.cancel();
-  sketch.client.clear();
-  CHECK(sketch.runUntilSent(kClearAll, 10));
+TEST_CASE("a command between does not shorten the wait for late answers to what was cancelled, and delays nothing") {
+  Conversation desk(kArduPilot, kPlan), other(kArduPilot, kPlan);
+  desk.plays("upload unread, until COUNT, asks 0-1, cancel");
+  CHECK(desk.plays("send, until LONG 20 ms, answer 2500 accepted | verify, 1400 ms | until LIST 1 s") ==
+        "ACK cancelled, -> Cancelled (Mixture), LONG 2500, -> Done (Mixture) | | LIST");
+  CHECK(other.plays("send, until LONG 20 ms, cancel, clear, 10 ms") == "LONG 2500, -> Cancelled (NotKnown), CLEAR");
 }
 
 TEST_CASE("where answers take long, late ones are waited for longer") {
-  Sketch sketch;
-  sketch.client.verify(inRam(kPlan));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 20));
-  sketch.run(600);
-  sketch.hear(countParts(7));
-  sketch.run(5);
-  REQUIRE((sketch.told.back() == Status::Differs));
-  sketch.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kCount, 4000));
-  const uint32_t cancelledMs = sketch.nowMs();
-  sketch.client.cancel();
-  sketch.client.clear();
-  REQUIRE(sketch.runUntilSent(kClearAll, 6000));
-  CHECK(sketch.nowMs() - cancelledMs >= 2560);  // 6 turns of 512 ms, of which one has begun before
-  CHECK(sketch.nowMs() - cancelledMs <= 3080);
+  Conversation desk(kArduPilot, kPlan);
+  CHECK(desk.plays("verify, until LIST, 600 ms, count 7, upload unread, until COUNT 4 s") ==
+        "LIST, -> Differs in Count (NotKnown), ACK cancelled, COUNT 4");
+  // 6 turns of 512 ms, of which one has begun before.
+  CHECK(desk.plays("cancel, clear, 2559 ms | until CLEAR 521 ms") == "ACK cancelled, -> Cancelled (NotKnown) | CLEAR");
 }
 
 TEST_CASE("behind a reset nothing is waited for but what it says, and then nothing any more") {
-  for (const uint32_t afterMs : {10, 700, 9000}) {
-    ClientOnLine desk(ClientOnLine::kArduPilot, 0);
-    desk.client.setTargetIds(1, 1);
-    desk.run(afterMs);
-    desk.client.verify(inRam(kPlan));
-    CHECK(desk.runUntilSent(ClientOnLine::kRequestList, 20));
-    desk.hear(ackParts(kCancelled));
-    desk.run(5);
-    CHECK(desk.client.isBusy());
+  for (const uint32_t afterMs : {10, 700, 9000, 10010}) {
+    Conversation desk(kArduPilot, 0, 0);
+    desk.isAbout(inRam(kPlan)).client.setTargetIds(1, 1);
+    desk.pass(afterMs);
+    CHECK(desk.plays("verify, until LIST 20 ms, cancelled") ==
+          (afterMs < 10000 ? std::string("LIST") : "LIST, -> CancelledByAutopilot (NotKnown), ACK cancelled"));
   }
-  ClientOnLine desk(ClientOnLine::kArduPilot, 0);
-  desk.client.setTargetIds(1, 1);
-  desk.run(10010);
-  desk.client.verify(inRam(kPlan));
-  CHECK(desk.runUntilSent(ClientOnLine::kRequestList, 20));
-  desk.hear(ackParts(kCancelled));
-  desk.run(5);
-  CHECK((desk.ended == Status::CancelledByAutopilot));
 }
 
 TEST_CASE("a new client has nothing to tell") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
+  ClientOnLine desk(kArduPilot);
   CHECK((desk.client.status() == Status::Idle));
   CHECK((desk.client.failedItem() == MissionClient::kNoItem));
   CHECK(desk.client.lastResult() == 255);
@@ -303,124 +223,73 @@ TEST_CASE("a new client has nothing to tell") {
 
 TEST_CASE(
     "of a cancelling and a refusal in one loop() update() returns the first, and the call has returned the other") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.run(3000);
-  desk.client.upload(inRam(kPlan));
-  desk.client.cancel();
+  Conversation desk(kArduPilot, kPlan);
+  desk.plays("upload, cancel");
   CHECK((desk.client.upload(inRam(kPlan), PlanType::All) == Status::BadPlanType));
-  CHECK((desk.client.update() == Status::Cancelled));
-  CHECK((desk.client.update() == Status::Idle));
+  CHECK(desk.plays("5 ms") == "-> Cancelled (NotKnown)");
 }
 
-namespace {
-
-// Whoever hears the text begins an upload, and cancels it.
-void onText(void* context, uint8_t, const char*) {
-  MissionClient& client = *static_cast<MissionClient*>(context);
-  client.upload(inRam(kPlan));
-  client.cancel();
-}
-
-}  // namespace
-
-TEST_CASE(
-    "what is begun and cancelled behind an end in one update() is returned by the next, without onEnd() as well") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
+TEST_CASE("what is begun and cancelled behind an end in one update() is returned by the next, beside onEnd()") {
+  Conversation desk(kArduPilot);
   MissionFollower follower(desk.client);
   follower.onText(onText, &desk.client);
-  desk.run(3000);
-  desk.client.clear();
-  REQUIRE(desk.runUntilSent(kClearAll, 20));
-  const Bytes text = {6, 'x'};
-  desk.hear(ackParts(kAccepted));
-  desk.hear(FrameParts(253, text, 83));
-  for (int i = 0; i < 5 && desk.ends.empty(); ++i) desk.run(1);
-  desk.run(5);
-  CHECK(desk.ends == Ends{Status::Cleared, Status::Cancelled});
+  desk.client.onEnd(nullptr);
+  desk.plays("clear, until CLEAR");
+  desk.hear(ackParts(0));
+  desk.hear(FrameParts(253, {6, 'x'}, 83));
+  CHECK(desk.plays("10 ms") == "-> Cleared (Nothing), -> Cancelled (Nothing)");
 }
 
 TEST_CASE("each operation begins with nothing of the one before") {
-  Sketch sketch;
-  sketch.upload(3);
-  sketch.hear(ackParts(kNoSpace));
-  sketch.run(5);
-  REQUIRE(sketch.client.failedItem() == 1);
-  REQUIRE(sketch.client.itemsDone() == 1);
-  MissionItem array[5];
-  sketch.client.download(toRam(array));
-  CHECK((sketch.client.failedItem() == MissionClient::kNoItem));
-  CHECK(sketch.client.lastResult() == 255);
-  CHECK(sketch.client.itemsDone() == 0);
-  CHECK(sketch.client.itemsTotal() == 0);
-  sketch.client.cancel();
-  sketch.client.verify(inRam(kPlan));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 3000));
-  sketch.hear(countParts(7));
-  sketch.run(5);
-  REQUIRE((sketch.client.differingField() == ItemField::Count));
-  sketch.client.clear();
-  CHECK((sketch.client.differingField() == ItemField::None));
-  CHECK(sketch.client.itemsTotal() == 0);
+  Conversation desk(kArduPilot, kPlan);
+  desk.plays("upload unread, until COUNT, asks 0-2, no space");
+  REQUIRE(desk.client.failedItem() == 1);
+  REQUIRE(desk.client.itemsDone() == 1);
+  desk.plays("download");
+  CHECK((desk.client.failedItem() == MissionClient::kNoItem));
+  CHECK(desk.client.lastResult() == 255);
+  CHECK(desk.client.itemsDone() == 0);
+  CHECK(desk.client.itemsTotal() == 0);
+  desk.plays("cancel, verify, until LIST, count 7");
+  REQUIRE((desk.client.differingField() == ItemField::Count));
+  desk.plays("clear");
+  CHECK((desk.client.differingField() == ItemField::None));
+  CHECK(desk.client.itemsTotal() == 0);
 }
 
 TEST_CASE("behind a read-back that was cancelled a download tells its progress") {
-  Sketch sketch(ClientOnLine::kPx4);
-  sketch.client.upload(inRam(kPlan, 1), Readback::Always);
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kCount, 20));
-  sketch.hear(requestParts(0));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kItemInt, 50));
-  sketch.hear(ackParts(kAccepted));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 20));
-  sketch.sent.clear();
-  sketch.client.cancel();
-  sketch.run(5);
-  CHECK(sketch.acks() == std::vector<uint8_t>{kCancelled});
-  MissionItem array[5];
-  sketch.client.download(toRam(array));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 3000));
-  sketch.hear(countParts(2));
-  sketch.run(5);
-  sketch.hear(itemParts(0, kPlan[0]));
-  sketch.run(5);
-  CHECK(sketch.client.itemsDone() == 1);
+  Conversation desk(kPx4, kPlan);
+  desk.isAbout(inRam(kPlan, 1)).plays("upload always, until COUNT, asks 0");
+  CHECK(desk.plays("accepted, cancel, 5 ms") == "LIST, ACK cancelled, -> Cancelled (NotKnown)");
+  CHECK(desk.plays("download, until LIST, count 2, item 0") == "LIST, REQUEST 0-1");
+  CHECK(desk.client.itemsDone() == 1);
 }
 
 TEST_CASE("behind an upload with back-offs the next operation has its whole time") {
-  Sketch sketch;
-  sketch.client.retryWhenBusy(60);
-  sketch.client.setOperationTimeout(5);
-  sketch.client.uploadWithoutReadback(inRam(kPlan));
-  for (int i = 0; i < 3; ++i) {
-    REQUIRE(sketch.runUntilSent(ClientOnLine::kCount, 9000));
-    sketch.hear(ackParts(kDenied));
-  }
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kCount, 9000));
-  sketch.client.cancel();
-  sketch.client.verify(inRam(kPlan));
-  REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 3000));
-  sketch.run(2000);
-  CHECK(sketch.client.isBusy());
+  Conversation desk(kArduPilot, kPlan);
+  desk.client.retryWhenBusy(60);
+  desk.client.setOperationTimeout(5);
+  const std::string denied = "until COUNT 9 s, denied, ";
+  desk.plays("upload unread, " + denied + denied + denied + "until COUNT 9 s, cancel");
+  CHECK(desk.plays("verify, until LIST 3 s | 1 s") == "ACK cancelled, -> Cancelled (NotKnown), LIST |");
+  desk.pass(1000);
+  CHECK(desk.client.isBusy());
 }
 
 TEST_CASE("the limit of an operation is met to two milliseconds") {
   uint32_t soonest = 9999, latest = 0;
   for (uint32_t shift = 0; shift < 4; ++shift) {
-    Sketch sketch;
-    sketch.run(10 + shift);
-    sketch.client.setOperationTimeout(3);
-    sketch.client.verify(inRam(kPlan));
-    sketch.run(1);
-    const uint32_t beganMs = sketch.nowMs();
-    while (sketch.client.isBusy()) sketch.run(1);
-    CHECK((sketch.client.status() == Status::TookTooLong));
-    const uint32_t took = sketch.nowMs() - beganMs;
-    if (took < soonest) soonest = took;
-    if (took > latest) latest = took;
+    Conversation desk(kArduPilot, kPlan);
+    desk.client.setOperationTimeout(3);
+    desk.pass(10 + shift);
+    desk.plays("verify, 1 ms");
+    const uint32_t beganMs = desk.nowMs();
+    desk.plays("until -> TookTooLong");
+    soonest = std::min(soonest, desk.nowMs() - beganMs);
+    latest = std::max(latest, desk.nowMs() - beganMs);
     // The next one has its own time.
-    sketch.client.verify(inRam(kPlan));
-    REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 3000));
-    sketch.run(1000);
-    CHECK(sketch.client.isBusy());
+    desk.plays("verify, until LIST 3 s, 1 s");
+    CHECK(desk.client.isBusy());
   }
   CHECK(soonest == 3000);
   CHECK(latest <= 3001);
@@ -428,118 +297,94 @@ TEST_CASE("the limit of an operation is met to two milliseconds") {
 
 TEST_CASE("an autopilot that does not come, or several of them, end the wait when the sketch wants it") {
   for (const bool areTwo : {false, true}) {
-    Sketch sketch;
-    sketch.beats = false;
-    sketch.run(7000);
-    sketch.client.setAutopilotTimeout(4);
-    if (areTwo) sketch.client.setTargetIds(0);  // it searches anew
-    sketch.client.clear();
-    const uint32_t beganMs = sketch.nowMs();
-    while (sketch.client.isBusy() && sketch.nowMs() - beganMs < 9000) {
-      if (areTwo && sketch.nowMs() % 500 == 0) {
-        FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot);
-        beat.systemId = static_cast<uint8_t>(1 + sketch.nowMs() / 500 % 2);
-        sketch.line.bring(packed(beat));
-      }
-      sketch.run(1);
+    Conversation desk(kArduPilot);
+    desk.plays("silence, 7 s");
+    desk.client.setAutopilotTimeout(4);
+    if (areTwo) desk.client.setTargetIds(0);  // it searches anew
+    desk.plays("clear");
+    const uint32_t beganMs = desk.nowMs();
+    while (desk.client.isBusy() && desk.nowMs() - beganMs < 9000) {
+      FrameParts beat = heartbeatParts(kArduPilot);
+      beat.systemId = static_cast<uint8_t>(1 + desk.nowMs() / 500 % 2);
+      if (areTwo && desk.nowMs() % 500 == 0) desk.line.bring(packed(beat));
+      desk.pass(1);
     }
-    CHECK((sketch.told.back() == (areTwo ? Status::SeveralAutopilots : Status::NoAutopilot)));
-    CHECK(sketch.nowMs() - beganMs >= 4000);
-    CHECK(sketch.nowMs() - beganMs <= 4002);
+    CHECK(text(desk.told) == (areTwo ? "SeveralAutopilots" : "NoAutopilot"));
+    CHECK(desk.nowMs() - beganMs >= 4000);
+    CHECK(desk.nowMs() - beganMs <= 4002);
   }
-  Sketch sketch;
-  sketch.beats = false;
-  sketch.run(7000);
-  sketch.client.clear();
-  sketch.run(60000);
-  CHECK((sketch.client.status() == Status::WaitingForAutopilot));  // no limit
+  Conversation desk(kArduPilot);
+  desk.plays("silence, 7 s, clear, 60 s");
+  CHECK((desk.client.status() == Status::WaitingForAutopilot));  // no limit
 }
 
-TEST_CASE("a sketch that has the autopilot's own ids is told so") {
-  ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.setSourceIds(1, 1);
-  desk.run(3000);
-  desk.client.clear();
-  desk.run(20);
-  CHECK((desk.ended == Status::SameIdsAsAutopilot));
-  CHECK(desk.timesOf(kClearAll, 0).empty());
+TEST_CASE("what runs ends when the sketch names another autopilot, in the middle of a frame, too") {
+  Conversation reading(kArduPilot, kPlan), checking(kArduPilot, kPlan), sending(kArduPilot, kPlan);
+  reading.plays("verify, until LIST");
+  reading.client.setTargetIds(2, 1);
+  CHECK(reading.plays("5 ms") == "-> NoAutopilot (NotKnown)");
+  checking.plays("full, upload unread, 20 ms");
+  checking.client.setTargetIds(2, 1);
+  CHECK(checking.plays("5 ms") == "-> NoAutopilot (NotKnown)");
+  sending.pass(100);
+  sending.line.room = sending.line.takes = 4;
+  sending.plays("clear, 1 ms");
+  sending.client.setTargetIds(2, 1);
+  sending.line.takes = 1000000;
+  CHECK(sending.plays("free, 100 ms") == "-> NoAutopilot (NotKnown)");
 }
 
 TEST_CASE("our ids are those that the sketch has set, and so is the autopilot that it talks to") {
-  setMillis(65000);
-  MemoryStream line;
-  MissionClient client(line);
-  client.setSourceIds(42, 99);
-  client.update();
-  setMillis(65002);
-  client.update();
-  const Bytes ours = line.takeWritten();
-  REQUIRE(ours.size() > 6);
-  const bool isV2 = ours[0] == 0xFD;
-  CHECK(ours[isV2 ? 5 : 3] == 42);
-  CHECK(ours[isV2 ? 6 : 4] == 99);
+  ClientOnLine ours(kArduPilot);
+  ours.client.setSourceIds(42, 99);
+  ours.run(3);
+  REQUIRE(!ours.sent.empty());
+  const Bytes& frame = ours.sent.front().frame;
+  const bool isV2 = frame[0] == 0xFD;
+  CHECK(frame[isV2 ? 5 : 3] == 42);
+  CHECK(frame[isV2 ? 6 : 4] == 99);
 
-  ClientOnLine desk(ClientOnLine::kArduPilot);
+  Conversation same(kArduPilot, 65000, 0);
+  same.client.setSourceIds(1, 1);
+  CHECK(same.plays("3 s, clear, 20 ms") == "-> SameIdsAsAutopilot (NotKnown)");
+
+  Conversation desk(kArduPilot, 65000, 0);
   desk.client.setTargetIds(2, 7);
-  desk.run(3000);
+  desk.pass(3000);
   CHECK_FALSE(desk.client.hasAutopilot());
-  FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot);
+  FrameParts beat = heartbeatParts(kArduPilot);
   beat.systemId = 2;
   beat.componentId = 7;
   desk.line.bring(packed(beat));
-  desk.run(20);
+  desk.pass(20);
   CHECK(desk.client.hasAutopilot());
   CHECK(desk.client.autopilotSystemId() == 2);
-  desk.client.clear();
-  REQUIRE(desk.runUntilSent(kClearAll, 20));
-  CHECK(desk.sent.back().payload[0] == 2);
-  CHECK(desk.sent.back().payload[1] == 7);
+  CHECK(desk.plays("clear, until CLEAR 20 ms") == "CLEAR to 2/7");
 }
 
 TEST_CASE("an update() takes what it may from the line, and a frame for us counts for more than its bytes") {
-  Sketch sketch;
-  const auto readInOne = [&](const Bytes& bytes) {
-    sketch.line.bring(bytes);
-    const size_t before = sketch.line.bytesRead;
-    sketch.run(1);
-    const size_t read = sketch.line.bytesRead - before;
-    sketch.run(60);
-    return read;
-  };
-  sketch.run(10);
-  CHECK(readInOne(Bytes(600, 0x11)) == MAVMISSION_BYTES_PER_UPDATE);
+  Conversation desk(kArduPilot);
+  desk.pass(10);
+  CHECK(desk.readInOne(Bytes(600, 0x11)) == MAVMISSION_BYTES_PER_UPDATE);
   Bytes beats;
-  for (uint8_t i = 0; i < 10; ++i) {
-    FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot);
-    beat.sequence = static_cast<uint8_t>(100 + i);
-    beats = beats + packed(beat);
-  }
-  const size_t ofBeats = readInOne(beats);
+  FrameParts beat = heartbeatParts(kArduPilot);
+  for (beat.sequence = 100; beat.sequence < 110; ++beat.sequence) beats = beats + packed(beat);
+  const size_t ofBeats = desk.readInOne(beats);
   CHECK(ofBeats > MAVMISSION_BYTES_PER_UPDATE / 4);
   CHECK(ofBeats < MAVMISSION_BYTES_PER_UPDATE);
 }
 
-namespace {
-
-bool readCounted(void* reads, uint16_t, MissionItem& item) {
-  ++*static_cast<int*>(reads);
-  item = kPlan[0];
-  return true;
-}
-
-}  // namespace
-
 TEST_CASE(
     "an update() that has read many bytes leaves the check of an item to the next one, which reads half as many") {
   int reads = 0;
-  Sketch sketch;
-  sketch.run(10);
-  sketch.client.uploadWithoutReadback(fromFunction(readCounted, 500, &reads));
-  sketch.run(2);
+  Conversation desk(kArduPilot);
+  desk.pass(10);
+  desk.client.uploadWithoutReadback(fromFunction(readCounted, 500, &reads));
+  desk.pass(2);
   const int before = reads;
-  sketch.line.bring(Bytes(6000, 0x11));
-  const size_t bytes = sketch.line.bytesRead;
-  sketch.run(20);
+  desk.line.bring(Bytes(6000, 0x11));
+  const size_t bytes = desk.line.bytesRead;
+  desk.pass(20);
   CHECK(reads - before == 10);
-  CHECK(sketch.line.bytesRead - bytes == 10 * (MAVMISSION_BYTES_PER_UPDATE + MAVMISSION_BYTES_PER_UPDATE / 2));
+  CHECK(desk.line.bytesRead - bytes == 10 * (MAVMISSION_BYTES_PER_UPDATE + MAVMISSION_BYTES_PER_UPDATE / 2));
 }
