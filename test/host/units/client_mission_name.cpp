@@ -3,95 +3,84 @@
 #include <doctest/doctest.h>
 #include <string.h>
 
-#include "ClientOnLine.h"
-#include "PlanFrames.h"
+#include <memory>
+
+#include "Conversation.h"
 #include "Px4Checksum.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
 
 namespace {
 
+constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
 const MissionItem kPlan[] = {anyCommandAt(kNavWaypoint, -35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
 const MissionItem kFence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
 constexpr uint32_t kName = 0x12345678, kOtherName = 0x87654321;
-constexpr uint8_t kCommandLong = 76;
+const char* const kRejected = "Mission rejected: no takeoff";
 
-struct Named : ClientOnLine {
+enum Fresh { kNothingYet };
+
+struct Named : Conversation {
   MissionFollower follower;
-  const bool isPx4;
-  std::vector<Status> told;
+  uint32_t name = 0;
 
-  explicit Named(uint8_t autopilot) : ClientOnLine(autopilot), follower(client), isPx4(autopilot == kPx4) {
-    client.onEnd(note, this);
-    run(3000);
-  }
-  static void note(void* context, Status status) { static_cast<Named*>(context)->told.push_back(status); }
-
-  void tell(const FrameParts& parts) {
-    hear(parts);
-    run(5);
-  }
   // The plan is aboard, under this name.
-  void verify(uint32_t name, const ItemSource& plan = inRam(kPlan)) {
-    client.verify(plan);
-    REQUIRE(runUntilSent(kRequestList, 4000));
-    const uint16_t home = isPx4 ? 0 : 1;
-    tell(countParts(static_cast<uint16_t>(plan.count + home), PlanType::Mission, name));
-    if (home != 0) tell(itemParts(0, homeItem()));
-    for (uint16_t item = 0; item < plan.count; ++item) {
-      tell(itemParts(static_cast<uint16_t>(item + home), kPlan[item]));
-    }
+  Named(uint8_t autopilot, uint32_t is, uint32_t items = 2) : Conversation(autopilot), follower(client), name(is) {
+    isAbout(inRam(kPlan, items)).plays("verify, until LIST, count named " + std::to_string(is) + ", items");
+    forgetEnds();
+  }
+  Named(uint8_t autopilot, Fresh) : Conversation(autopilot, kPlan), follower(client) {}
+  // The plan is uploaded, and accepted with PX4's checksum.
+  explicit Named(uint8_t autopilot) : Conversation(autopilot, kPlan), follower(client) { upload(); }
+
+  void upload() {
+    CHECK(isAbout(inRam(kPlan)).plays("upload unread, until COUNT, asks all, accepted named ours") ==
+          "COUNT 2, ITEM 0-1, -> Accepted (OurPlan)");
+    name = checksum();
+    forgetEnds();
+  }
+  void uploadFence() {
+    isAbout(inRam(kFence), PlanType::Fence).plays("upload unread, until COUNT, asks all");
+    mavlink_mission_item_int_t item;
+    memcpy(&item, sent.back().payload.data(), sizeof(item));
+    CHECK(plays("accepted named " + std::to_string(px4Checksum(0, item))) == "-> Accepted (OurPlan)");
+    forgetEnds();
+  }
+  void forgetEnds() {
     REQUIRE((client.aboard() == Aboard::OurPlan));
     told.clear();
-    ended = Status::Idle;
   }
-  // The plan is uploaded, and accepted with PX4's checksum, which is returned.
-  uint32_t upload(const ItemSource& plan = inRam(kPlan), PlanType type = PlanType::Mission) {
-    ended = Status::Idle;
-    client.uploadWithoutReadback(plan, type);
-    REQUIRE(runUntilSent(kCount, 4000));
-    uint32_t sum = 0;
-    for (uint16_t item = 0; item < plan.count; ++item) {
-      hear(requestParts(item, 1, 191, static_cast<uint8_t>(type)));
-      REQUIRE(runUntilSent(kItemInt, 50));
-      mavlink_mission_item_int_t message;
-      memcpy(&message, sent.back().payload.data(), sizeof(message));
-      sum = px4Checksum(sum, message);
-    }
-    hear(ackParts(0, 1, 191, static_cast<uint8_t>(type), sum));
-    run(5);
-    REQUIRE((ended == Status::Accepted));
-    told.clear();
-    ended = Status::Idle;
-    return sum;
-  }
-  void tellCurrent(uint32_t name, uint16_t total = 2, uint8_t state = MISSION_STATE_ACTIVE, int times = 1) {
+  // What aboard() says behind so many of MISSION_CURRENT.
+  std::string shown(uint32_t byName, uint16_t total = 2, uint8_t state = MISSION_STATE_ACTIVE, int times = 5) {
     mavlink_mission_current_t message = mavlink_mission_current_t();
     message.seq = 1;
     message.total = total;
     message.mission_state = state;
-    message.mission_id = name;
-    const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-    for (int i = 0; i < times; ++i) {
-      tell(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(begin, begin + sizeof(message)),
-                      MAVLINK_MSG_ID_MISSION_CURRENT_CRC));
-    }
+    message.mission_id = byName;
+    for (; times > 0; --times) tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message);
+    return nameOf(client.aboard());
   }
-  void say(const char* text) {
+  std::string shownOnce(uint32_t byName, uint16_t total = 2) { return shown(byName, total, MISSION_STATE_ACTIVE, 1); }
+  // What onEnd() is told behind this text.
+  std::string says(const char* text) {
     Bytes payload(51);
     payload[0] = 6;
     memcpy(&payload[1], text, strlen(text));
+    told.clear();
     tell(FrameParts(MAVLINK_MSG_ID_STATUSTEXT, payload, MAVLINK_MSG_ID_STATUSTEXT_CRC));
+    std::string all;
+    for (const Status status : told) all += nameOf(status);
+    return all;
   }
   // Why start() is refused.
-  Status refusal() {
+  std::string refusal() {
     ended = Status::Idle;
     client.start();
-    run(5);
-    const Status why = ended;
+    pass(5);
+    const std::string why = nameOf(ended);
     if (client.isBusy()) client.cancel();
-    run(5);
-    told.clear();
+    pass(5);
     return why;
   }
 };
@@ -100,205 +89,135 @@ struct Named : ClientOnLine {
 
 TEST_CASE("a mission of another name is somebody else's, and ours is back with its name") {
   for (const bool isUploaded : {false, true}) {
-    Named desk(ClientOnLine::kPx4);
-    uint32_t name = kName;
-    if (isUploaded) {
-      name = desk.upload();
-    } else {
-      desk.verify(kName);
-    }
-    desk.tellCurrent(name, 2, MISSION_STATE_ACTIVE, 5);
-    CHECK((desk.client.aboard() == Aboard::OurPlan));
-    desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
-    CHECK((desk.client.aboard() == Aboard::OtherPlan));
+    std::unique_ptr<Named> made(isUploaded ? new Named(kPx4) : new Named(kPx4, kName));
+    Named& desk = *made;
+    CHECK(desk.shown(desk.name) == "OurPlan");
+    CHECK(desk.shown(kOtherName) == "OtherPlan");
     CHECK_FALSE(desk.follower.isOurPlan());
-    CHECK((desk.refusal() == Status::Unproven));
-    desk.tellCurrent(name);
-    CHECK((desk.client.aboard() == Aboard::OurPlan));
+    CHECK(desk.refusal() == "Unproven");
+    CHECK(desk.shownOnce(desk.name) == "OurPlan");
     CHECK(desk.follower.isOurPlan());
   }
 }
 
 TEST_CASE("a name is compared whatever number it is, and no name is none") {
   for (const uint32_t name : {1u, 2u, 0xFFFFFFFFu}) {
-    Named desk(ClientOnLine::kPx4);
-    desk.verify(name);
-    desk.tellCurrent(0, 2, MISSION_STATE_ACTIVE, 5);
-    desk.tellCurrent(0, 0xFFFE, MISSION_STATE_ACTIVE, 5);  // PX4's total tells nothing
-    CHECK((desk.client.aboard() == Aboard::OurPlan));
-    desk.tellCurrent(name == 1 ? 2 : 1, 2, MISSION_STATE_ACTIVE, 5);
-    CHECK((desk.client.aboard() == Aboard::OtherPlan));
+    Named desk(kPx4, name);
+    CHECK(desk.shown(0) == "OurPlan");
+    CHECK(desk.shown(0, 0xFFFE) == "OurPlan");  // PX4's total tells nothing
+    CHECK(desk.shown(name == 1 ? 2 : 1) == "OtherPlan");
   }
   for (const uint32_t name : {1u, kName}) {
-    Named desk(ClientOnLine::kPx4);
-    desk.verify(name);
-    desk.tellCurrent(0, 0xFFFF, MISSION_STATE_NO_MISSION, 5);  // without a plan
-    CHECK((desk.client.aboard() == Aboard::OtherPlan));
-    desk.tellCurrent(0, 0xFFFF, MISSION_STATE_NO_MISSION);
-    CHECK((desk.client.aboard() == Aboard::OtherPlan));
-    desk.tellCurrent(name);
-    CHECK((desk.client.aboard() == Aboard::OurPlan));
+    Named desk(kPx4, name);
+    CHECK(desk.shown(0, 0xFFFF, MISSION_STATE_NO_MISSION) == "OtherPlan");  // without a plan
+    CHECK(desk.shown(0, 0xFFFF, MISSION_STATE_NO_MISSION, 1) == "OtherPlan");
+    CHECK(desk.shownOnce(name) == "OurPlan");
   }
 }
 
 TEST_CASE("a mission that was accepted without a name is not told from another one by names or by PX4's total") {
-  Named desk(ClientOnLine::kPx4);
-  desk.verify(0);
-  desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
-  desk.tellCurrent(0, 9, MISSION_STATE_ACTIVE, 5);
-  desk.tellCurrent(0, 9, MISSION_STATE_UNKNOWN, 5);
-  desk.tellCurrent(0, 0xFFFF, MISSION_STATE_NO_MISSION, 5);
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
+  Named desk(kPx4, 0);
+  desk.shown(kOtherName);
+  desk.shown(0, 9);
+  desk.shown(0, 9, MISSION_STATE_UNKNOWN);
+  CHECK(desk.shown(0, 0xFFFF, MISSION_STATE_NO_MISSION) == "OurPlan");
 }
 
 TEST_CASE("the name of a fence is not the mission's") {
-  Named desk(ClientOnLine::kPx4);
-  desk.verify(kName);
-  desk.upload(inRam(kFence), PlanType::Fence);
-  desk.tellCurrent(kName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
-  desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::OtherPlan));
-
-  desk.client.verify(inRam(kFence), PlanType::Fence);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 4000));
-  desk.tell(countParts(1, PlanType::Fence, kOtherName));
-  desk.tell(itemParts(0, kFence[0], PlanType::Fence));
-  REQUIRE((desk.ended == Status::Verified));
-  desk.tellCurrent(kName);
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
+  Named desk(kPx4, kName);
+  desk.uploadFence();
+  CHECK(desk.shown(kName) == "OurPlan");
+  CHECK(desk.shown(kOtherName) == "OtherPlan");
+  CHECK(desk.plays("verify, until LIST, count named " + std::to_string(kOtherName) + ", items") ==
+        "LIST of fence, REQUEST 0 of fence, -> Verified (OurPlan), ACK accepted of fence");
+  CHECK(desk.shownOnce(kName) == "OurPlan");
 }
 
 TEST_CASE("what was not known to be ours is not somebody else's by its name, nor ours") {
-  Named desk(ClientOnLine::kPx4);
-  desk.verify(kName);
-  desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 9000));
-  REQUIRE((desk.client.aboard() == Aboard::NotKnown));
-  desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
-  desk.tellCurrent(kName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
+  Named desk(kPx4, kName);
+  desk.plays("upload unread, until COUNT");
+  CHECK(desk.shown(kOtherName) == "NotKnown");
+  CHECK(desk.shown(kName) == "NotKnown");
 }
 
-TEST_CASE("ArduPilot's mission of another length is somebody else's, unless its state is not known") {
-  Named desk(ClientOnLine::kArduPilot);
-  desk.verify(0);
-  desk.tellCurrent(0, 2, MISSION_STATE_ACTIVE, 5);
-  desk.tellCurrent(0, 3, MISSION_STATE_UNKNOWN, 5);
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
-  desk.tellCurrent(0, 3, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::OtherPlan));
-}
-
-TEST_CASE("ArduPilot's length tells nothing where the last plan was a fence") {
-  Named desk(ClientOnLine::kArduPilot);
-  desk.verify(0);
-  desk.client.verify(inRam(kFence), PlanType::Fence);
-  desk.client.cancel();
-  desk.tellCurrent(0, 3, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
+TEST_CASE("ArduPilot's mission of another length is somebody else's, unless its state is not known, or of a fence") {
+  Named desk(kArduPilot, 0), fence(kArduPilot, 0);
+  desk.shown(0);
+  CHECK(desk.shown(0, 3, MISSION_STATE_UNKNOWN) == "OurPlan");
+  CHECK(desk.shown(0, 3) == "OtherPlan");
+  fence.isAbout(inRam(kFence), PlanType::Fence).plays("verify, cancel");
+  CHECK(fence.shown(0, 3) == "OurPlan");
 }
 
 TEST_CASE(
     "ArduPilot's text about an upload that is not ours tells of another plan, and beside a transfer it does not") {
-  const ItemSource one = inRam(kPlan, 1);
-  Named desk(ClientOnLine::kArduPilot);
-  desk.verify(0, one);
-  desk.client.verify(one);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 4000));
-  desk.say("Flight plan received");
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
-  desk.client.cancel();
-  SUBCASE("idle") { desk.run(5); }
-  SUBCASE("beside a command") { desk.client.arm(); }
-  desk.say("Flight plan received");
-  CHECK((desk.client.aboard() == Aboard::OtherPlan));
+  for (const std::string then : {"5 ms", "arm"}) {
+    Named desk(kArduPilot, 0, 1);
+    desk.plays("verify, until LIST");
+    desk.says("Flight plan received");
+    CHECK((desk.client.aboard() == Aboard::OurPlan));
+    desk.plays("cancel, " + then);
+    desk.says("Flight plan received");
+    CHECK((desk.client.aboard() == Aboard::OtherPlan));
+  }
 }
 
 TEST_CASE("a mission that PX4 rejects in words behind its acceptance is infeasible, and that is told once") {
-  Named desk(ClientOnLine::kPx4);
-  desk.say("Mission rejected: no takeoff");  // none of ours
-  CHECK(desk.told.empty());
-  desk.upload();
-  desk.say("Mission rejected: no takeoff");
-  CHECK(desk.told == std::vector<Status>{Status::Infeasible});
+  Named other(kPx4, kNothingYet);
+  CHECK(other.says(kRejected) == "");  // none of ours
+  Named desk(kPx4);
+  CHECK(desk.says(kRejected) == "Infeasible");
   CHECK((desk.ends.back() == Status::Infeasible));
   CHECK((desk.client.status() == Status::Infeasible));
-  desk.say("Mission rejected: no takeoff");
-  CHECK(desk.told.size() == 1);
-  CHECK((desk.refusal() == Status::Infeasible));
+  CHECK(desk.says(kRejected) == "");
+  CHECK(desk.refusal() == "Infeasible");
   // A fence does not change that, and the next mission does.
-  desk.upload(inRam(kFence), PlanType::Fence);
-  CHECK((desk.refusal() == Status::Infeasible));
+  desk.uploadFence();
+  CHECK(desk.refusal() == "Infeasible");
   desk.upload();
-  CHECK((desk.refusal() != Status::Infeasible));
+  CHECK(desk.refusal() != "Infeasible");
 }
 
 TEST_CASE("a mission that PX4 names and does not have is infeasible when it says so twice") {
-  Named desk(ClientOnLine::kPx4);
-  const uint32_t name = desk.upload();
-  desk.tellCurrent(name, 2, MISSION_STATE_NO_MISSION);
+  Named desk(kPx4);
+  desk.shown(desk.name, 2, MISSION_STATE_NO_MISSION, 1);
   CHECK(desk.told.empty());
-  desk.tellCurrent(name, 2, MISSION_STATE_NO_MISSION);
+  desk.shown(desk.name, 2, MISSION_STATE_NO_MISSION, 1);
   CHECK(desk.told == std::vector<Status>{Status::Infeasible});
 }
 
 TEST_CASE("beside an operation that transfers, an infeasible mission is not told, and it ends a command") {
-  Named desk(ClientOnLine::kPx4);
-  desk.upload();
-  desk.client.verify(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 4000));
-  desk.say("Mission rejected: no takeoff");
-  CHECK(desk.told.empty());
+  Named desk(kPx4);
+  desk.plays("verify, until LIST");
+  CHECK(desk.says(kRejected) == "");
   CHECK((desk.client.status() == Status::Transferring));
-  desk.client.cancel();
-  desk.told.clear();
-  desk.client.arm();
-  REQUIRE(desk.runUntilSent(kCommandLong, 100));
-  desk.say("Mission rejected: no takeoff");
-  CHECK(desk.told == std::vector<Status>{Status::Infeasible});
+  desk.plays("cancel, arm, until LONG 100 ms");
+  CHECK(desk.says(kRejected) == "Infeasible");
   CHECK_FALSE(desk.client.isBusy());
-  CHECK((desk.refusal() == Status::Infeasible));
+  CHECK(desk.refusal() == "Infeasible");
 }
 
 TEST_CASE("ensure() that finds the mission aboard keeps what PX4 has said about it, and forgets it of another one") {
-  Named desk(ClientOnLine::kPx4);
-  const uint32_t name = desk.upload();
-  desk.say("Mission rejected: no takeoff");
-  desk.client.ensure(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 4000));
-  desk.tell(countParts(2, PlanType::Mission, name));
+  Named desk(kPx4);
+  desk.says(kRejected);
+  desk.plays("ensure, until LIST, count named ours");
   REQUIRE((desk.client.status() == Status::AlreadyAboard));
-  CHECK((desk.refusal() == Status::Infeasible));
-  const MissionItem other[] = {kPlan[0]};
-  mavlink_mission_item_int_t message;
-  memcpy(&message, itemParts(0, other[0]).payload.data(), sizeof(message));
-  const uint32_t otherName = px4Checksum(0, message);
-  desk.client.ensure(inRam(other));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 4000));
-  desk.tell(countParts(1, PlanType::Mission, otherName));
+  CHECK(desk.refusal() == "Infeasible");
+  desk.isAbout(inRam(kPlan, 1)).plays("ensure, until LIST, count named ours");
   REQUIRE((desk.client.status() == Status::AlreadyAboard));
-  CHECK((desk.refusal() != Status::Infeasible));
+  CHECK(desk.refusal() != "Infeasible");
   // And its name is the one that is compared from now on.
-  desk.tellCurrent(name, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::OtherPlan));
-  desk.tellCurrent(otherName, 1);
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
+  CHECK(desk.shown(desk.name) == "OtherPlan");
+  CHECK(desk.shownOnce(desk.checksum(), 1) == "OurPlan");
 }
 
 TEST_CASE("ensure() that finds a fence aboard leaves the mission's name, and what was said about it") {
-  Named desk(ClientOnLine::kPx4);
-  desk.upload();
-  desk.say("Mission rejected: no takeoff");
-  desk.client.ensure(inRam(kFence), PlanType::Fence);
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 4000));
-  desk.tell(countParts(1, PlanType::Fence));
-  desk.tell(itemParts(0, kFence[0], PlanType::Fence));
+  Named desk(kPx4);
+  desk.says(kRejected);
+  desk.isAbout(inRam(kFence), PlanType::Fence).plays("ensure, until LIST, count, items");
   REQUIRE((desk.client.status() == Status::AlreadyAboard));
   CHECK((desk.client.aboard(PlanType::Fence) == Aboard::OurPlan));
   CHECK((desk.client.aboard() == Aboard::OurPlan));
-  CHECK((desk.refusal() == Status::Infeasible));
-  desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::OtherPlan));
+  CHECK(desk.refusal() == "Infeasible");
+  CHECK(desk.shown(kOtherName) == "OtherPlan");
 }
