@@ -56,22 +56,3 @@ Bytes AnsweringPeer::packedAgain(const SentFrame& frame, uint8_t crcExtra) {
   parts.componentId = frame.frame[6];
   return packed(parts);
 }
-
-#define MAVMISSION_NAME(name, text) #name,
-
-const char* AnsweringPeer::nameOf(Status status) {
-  static const char* const kNames[] = {MAVMISSION_STATUSES(MAVMISSION_NAME)};
-  return kNames[static_cast<uint8_t>(status)];
-}
-
-const char* AnsweringPeer::nameOf(mavmission::ItemField field) {
-  static const char* const kNames[] = {MAVMISSION_FIELDS(MAVMISSION_NAME)};
-  return kNames[static_cast<uint8_t>(field)];
-}
-
-const char* AnsweringPeer::nameOf(mavmission::Aboard aboard) {
-  static const char* const kNames[] = {MAVMISSION_ABOARD(MAVMISSION_NAME)};
-  return kNames[static_cast<uint8_t>(aboard)];
-}
-
-#undef MAVMISSION_NAME

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "Names.h"
 
 class AnsweringPeer : public ClientOnLine {
  public:
@@ -33,10 +34,6 @@ class AnsweringPeer : public ClientOnLine {
 
   // A frame as it would be with its checksum right.
   static Bytes packedAgain(const SentFrame& frame, uint8_t crcExtra);
-
-  static const char* nameOf(mavmission::Status status);
-  static const char* nameOf(mavmission::ItemField field);
-  static const char* nameOf(mavmission::Aboard aboard);
 
  protected:
   // A millisecond.

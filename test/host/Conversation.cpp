@@ -78,21 +78,6 @@ bool isTime(const std::string& text, uint32_t& ms) {
 
 }  // namespace
 
-#define MAVMISSION_NAME(name, text) #name,
-const char* nameOf(Status status) {
-  static const char* const kNames[] = {MAVMISSION_STATUSES(MAVMISSION_NAME)};
-  return kNames[static_cast<size_t>(status)];
-}
-const char* nameOf(Aboard aboard) {
-  static const char* const kNames[] = {MAVMISSION_ABOARD(MAVMISSION_NAME)};
-  return kNames[static_cast<size_t>(aboard)];
-}
-const char* nameOf(ItemField field) {
-  static const char* const kNames[] = {MAVMISSION_FIELDS(MAVMISSION_NAME)};
-  return kNames[static_cast<size_t>(field)];
-}
-#undef MAVMISSION_NAME
-
 Conversation::Conversation(uint8_t autopilot, uint32_t startMs, uint32_t aloneMs)
     : ClientOnLine(autopilot, startMs), kind_(autopilot) {
   beats = false;

@@ -8,11 +8,8 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "Names.h"
 #include "PlanFrames.h"
-
-const char* nameOf(mavmission::Status status);
-const char* nameOf(mavmission::Aboard aboard);
-const char* nameOf(mavmission::ItemField field);
 
 class Conversation : public ClientOnLine {
  public:

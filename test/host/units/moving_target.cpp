@@ -251,7 +251,7 @@ TEST_CASE("what is refused by goTo() is refused by start(), and told by update()
     aircraft.target.start(one.place, one.altitude);
     CHECK((aircraft.end(1000) == one.status));
     CHECK((aircraft.target.status() == one.status));  // before update() has told it
-    CHECK(aircraft.wait(2).told() == Follower::nameOf(one.status));
+    CHECK(aircraft.wait(2).told() == nameOf(one.status));
     CHECK(aircraft.said() == "");
     CHECK_FALSE(aircraft.target.isFollowed());
     CHECK((aircraft.target.renew(kPlace, 20_m) == one.status));
@@ -414,7 +414,7 @@ TEST_CASE("a heartbeat with another mode, a failsafe, or no arms ends the follow
     aircraft.wait(4).sent.clear();
     const bool isFollowed = one.status == Status::Transferring;
     CHECK(aircraft.target.isFollowed() == isFollowed);
-    CHECK(aircraft.told() == (isFollowed ? "goes on" : Follower::nameOf(one.status)));
+    CHECK(aircraft.told() == (isFollowed ? "goes on" : nameOf(one.status)));
     CHECK((aircraft.target.renew(kPlace, 20_m) == one.status));
     CHECK(aircraft.wait(3000).messages().empty() != isFollowed);
     CHECK(aircraft.said() == "");

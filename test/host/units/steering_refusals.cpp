@@ -22,7 +22,7 @@ std::string verdict(Aircraft& aircraft) {
   CHECK(aircraft.tookMs <= 2);
   CHECK(aircraft.said() == "");
   const ItemField field = aircraft.client.differingField();
-  return status + (field == ItemField::None ? "" : std::string(" of ") + Aircraft::nameOf(field));
+  return status + (field == ItemField::None ? "" : std::string(" of ") + nameOf(field));
 }
 
 // One that flies its mission.

@@ -28,7 +28,7 @@ void standStill(Aircraft& aircraft) { aircraft.run(300, 300); }
 // What an order has ended with in this time, and what was sent.
 std::string within(Aircraft& aircraft, uint32_t ms) {
   aircraft.pass(ms);
-  return std::string(aircraft.client.isBusy() ? "goes on" : Aircraft::nameOf(aircraft.ended)) + ": " + aircraft.said();
+  return std::string(aircraft.client.isBusy() ? "goes on" : nameOf(aircraft.ended)) + ": " + aircraft.said();
 }
 
 }  // namespace
