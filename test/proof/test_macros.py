@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import itertools
 import re
+from pathlib import Path
 
 import pytest
 
 from simulation import firmware
-from simulation.firmware import LIBRARY, ROOT, FirmwareNotBuilt, build_firmware
-from simulation.host_build import HOST, build_host
-from units import cases_of, run_unit
+from simulation.firmware import LIBRARY, ROOT, FirmwareNotBuilt, build_firmware, defined, library_sources
+from simulation.host_build import HOST
+from units import build_with_macros, cases_of, run_unit
 
 # Macro: its least and its greatest value.
 LIMITS = {
@@ -24,8 +25,9 @@ LIMITS = {
 }
 ONLY = ("MAVMISSION_ONLY_ARDUPILOT", "MAVMISSION_ONLY_PX4")  # what they leave out, other macros and the units ask for
 NUMBERS = tuple(macro for macro, (least, _) in LIMITS.items() if least > 0)
+LEAST, GREATEST = ({macro: LIMITS[macro][n] for macro in NUMBERS} for n in (0, 1))
 # Each a firmware: the numbers together, and each switch alone, which is how other tests compile the library, too.
-AT_LIMITS = {end: {macro: LIMITS[macro][n] for macro in NUMBERS} for n, end in enumerate(("least", "greatest"))}
+AT_LIMITS = {"greatest": GREATEST}
 AT_LIMITS |= {f"{macro}={on}": {macro: on} for macro, (least, most) in LIMITS.items() if least == 0
               for on in range(1, most + 1)}  # fmt: skip
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
@@ -46,6 +48,21 @@ def test_firmware_is_built_at_the_limits(limits):
     assert build_firmware("macros", [SKETCH], AT_LIMITS[limits]).exists()
 
 
+@pytest.mark.slow
+def test_sources_that_name_a_number_compile_at_the_least():
+    """Or whose header does. (The numbers at their greatest are a firmware.)"""
+    texts = {source: source.read_text() + header_of(source) for source in library_sources()}
+    naming = [source for source, text in texts.items() if any(macro in text for macro in NUMBERS)]
+    assert len(naming) >= len(NUMBERS)
+    for source in naming:
+        assert firmware.compiled(source, "atmega2560", defined(LEAST), [LIBRARY]).exists()
+
+
+def header_of(source: Path) -> str:
+    header = source.with_suffix(".h")
+    return header.read_text() if header.exists() else ""
+
+
 @pytest.mark.parametrize("macro", LIMITS)
 def test_values_beyond_the_limits_are_refused_in_words(macro):
     least, greatest = LIMITS[macro]
@@ -64,8 +81,8 @@ def test_one_autopilot_alone_excludes_others_in_words(two):
 @pytest.mark.parametrize("end", [0, 1], ids=["least", "greatest"])
 def test_parts_work_at_the_limits(end, tmp_path):
     defines = {macro: limits[end] for macro, limits in LIMITS.items() if macro not in ONLY}
-    sources = [HOST / "units" / f"{unit}.cpp" for unit in ("main", *UNITS)]
-    program = build_host("limits", [*sources, HOST / "Frames.cpp"], "clang++", defines=defines, library=PARTS)
+    sources = [HOST / "units" / f"{unit}.cpp" for unit in UNITS]
+    program = build_with_macros(tmp_path, [*sources, HOST / "Frames.cpp", *PARTS], defines)
     for unit in UNITS:
         assert cases_of(unit) > 0
         assert run_unit(program, unit, tmp_path) == (0, cases_of(unit))

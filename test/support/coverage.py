@@ -13,8 +13,9 @@ from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
 
+from mutating.programs import in_pieces
 from simulation.firmware import LIBRARY, ROOT, library_sources
-from simulation.host_build import FAST, HOST, PLACES, SHIM, UNITS, build_objects, compiler_version
+from simulation.host_build import FAST, HOST, MAIN, PLACES, SHIM, UNITS, build_objects, compiler_version
 from simulation.precompiled import with_mavlink
 from simulation.recorded_for_units import environment
 from simulation.together import together
@@ -28,7 +29,7 @@ EXPLORED = (
     "ArduPilot typed 20",
 )
 # The library's sources that have rows of Betaflight and iNav, which MAVMISSION_GENERIC_FIRMWARE (1, 2) compiles in.
-GENERIC = [HOST / "generic" / "rows.cpp", UNITS / "main.cpp"]
+GENERIC = HOST / "generic" / "rows.cpp"
 WITH_GENERIC_ROWS = [
     LIBRARY / "mavmission" / name
     for name in ("autopilot/Commands.cpp", "autopilot/VehicleKind.cpp", "base/FloatBits.cpp", "plan/Comparison.cpp",
@@ -49,7 +50,8 @@ def branches(folder: Path) -> dict[str, tuple[int, int]]:
     frames = build_objects([*sorted(HOST.glob("*.cpp")), SHIM / "Arduino.cpp"], "g++", FAST)
     for place, own_flags, runs in PROGRAMS:
         program = folder / f"{place.name}.program"
-        objects = build_objects(sorted(place.glob("*.cpp")), "g++", FAST, own_flags)
+        sources = sorted(place.glob("*.cpp"))
+        objects = build_objects(sources if place == UNITS else in_pieces(sources), "g++", FAST, own_flags)
         # The library first: of a function in a header, which each has, the linker takes the one that is counted.
         subprocess.run(["g++", "--coverage", *library, *objects, *frames, "-o", program], check=True)
         for words in runs:
@@ -57,7 +59,8 @@ def branches(folder: Path) -> dict[str, tuple[int, int]]:
             subprocess.run([program, *words.split()], check=True, capture_output=True, env=places)
     for generic in (1, 2):
         program = folder / f"generic-{generic}.program"
-        objects = build_objects(GENERIC, "g++", FAST, (), {"MAVMISSION_GENERIC_FIRMWARE": generic})
+        objects = build_objects([MAIN], "g++", FAST)
+        objects += build_objects([GENERIC], "g++", FAST, (), {"MAVMISSION_GENERIC_FIRMWARE": generic})
         library = counted_objects(folder, WITH_GENERIC_ROWS, generic)
         subprocess.run(["g++", "--coverage", *library, *objects, "-o", program], check=True)
         subprocess.run([program, "--no-version"], check=True, capture_output=True)

@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import re
 import subprocess
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from simulation.host_build import HOST
+from simulation.host_build import HOST, MAIN, SANITIZED, SHIM, UNITS_COMPILER, build_objects
 from simulation.recorded_for_units import environment
+
+
+def build_with_macros(folder: Path, sources: Sequence[Path], macros: Mapping[str, object]) -> Path:
+    """A program under the sanitizers, with these macros of the library; doctest's main, which has none, is that of
+    all units."""
+    objects = build_objects([MAIN, SHIM / "Arduino.cpp"], UNITS_COMPILER, SANITIZED)
+    objects += build_objects(sources, UNITS_COMPILER, SANITIZED, (), macros)
+    subprocess.run([UNITS_COMPILER, *SANITIZED, *objects, "-o", folder / "program"], check=True)
+    return folder / "program"
 
 
 def cases_of(unit: str) -> int:
