@@ -9,10 +9,11 @@ from pathlib import Path
 from building import build_sketch
 from simulation.bench import fake
 from simulation.fake_autopilot import MISSION, mavlink
-from simulation.firmware import ARDUINO, ROOT, build_firmware
+from simulation.firmware import ARDUINO, LIBRARY, ROOT, build_firmware, compiled
 from simulation.mega import Image, Mega
 
 LIBRARIES = ARDUINO / "libraries"
+INCLUDED = sorted(LIBRARIES.glob("*/src"))
 WRAPPED = ROOT / "build" / "examples"
 PLACE = (-353632621, 1491652374, 584.0)  # where the examples fly: latitude, longitude [1e-7 degrees], altitude [m]
 SLICE_S = 0.002
@@ -25,6 +26,19 @@ def image_of(example: str) -> Image:
 
 def firmware_of(sketch: Path, mcu: str) -> Path:
     """As the Arduino IDE makes it, but for the prototypes, which no example needs."""
+    source = wrapped(sketch)
+    port = LIBRARIES / "SoftwareSerial" / "src" / "SoftwareSerial.cpp"
+    own = [port] if "CONSOLE_RX" in source.read_text() and mcu == "atmega328p" else []
+    return build_firmware(sketch.stem, [source, *own], mcu=mcu, include_dirs=INCLUDED)
+
+
+def compile_firmware(sketch: Path, mcu: str) -> Path:
+    """The object of the sketch alone."""
+    source = wrapped(sketch)
+    return compiled(source, mcu, [], [LIBRARY, source.parent, *INCLUDED])
+
+
+def wrapped(sketch: Path) -> Path:
     source = WRAPPED / f"{sketch.stem}.cpp"
     source.parent.mkdir(parents=True, exist_ok=True)
     text = f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
@@ -32,9 +46,7 @@ def firmware_of(sketch: Path, mcu: str) -> Path:
         fresh = source.with_suffix(f".{os.getpid()}")
         fresh.write_text(text)
         fresh.replace(source)
-    port = LIBRARIES / "SoftwareSerial" / "src" / "SoftwareSerial.cpp"
-    own = [port] if "CONSOLE_RX" in text and mcu == "atmega328p" else []
-    return build_firmware(sketch.stem, [source, *own], mcu=mcu, include_dirs=sorted(LIBRARIES.glob("*/src")))
+    return source
 
 
 class Run:

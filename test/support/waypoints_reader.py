@@ -13,10 +13,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from simulation.enumerators import texts_of
+from simulation.firmware import LIBRARY
 from simulation.host_build import build_host
 
 SOURCE = Path(__file__).resolve().parents[1] / "waypoints" / "read_texts.cpp"
 
+# The text's own folder, and what it uses.
+PARTS = [file for folder in ("autopilot", "base", "item", "plan", "text")
+         for file in sorted((LIBRARY / "mavmission" / folder).glob("*.cpp"))]  # fmt: skip
 KINDS = ("mission", "fence", "rally")  # mavmission::PlanType
 
 
@@ -44,7 +48,7 @@ class Read(NamedTuple):
 
 class WaypointsReader:
     def __init__(self) -> None:
-        program = build_host("read_texts", [SOURCE], "clang++")
+        program = build_host("read_texts", [SOURCE], "clang++", library=PARTS)
         self._program = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def close(self) -> None:

@@ -31,7 +31,6 @@ RUNS = [
     ("plan", "plan to-sketch {farm} {here}/Farm", "Farm"),
     ("pictures", "plan draw {farm} -o {here}/farm.svg", "{here}/farm.svg"),
     ("demo", "demo", "The plan is aboard: all 5 items as they were meant"),
-    ("demo", "demo --fast {own}", "The plan is aboard"),
     ("demo", "demo --fast --plan {farm} --save {here}/back.plan", "{here}/back.plan"),
     ("demo pictures", "demo --fast --timeline {here}/one.svg", "{here}/one.svg"),
     ("demo", "simulate {elf} --for 0.1 --no-input", "Serial1 is /dev/pts"),
