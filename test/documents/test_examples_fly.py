@@ -182,9 +182,9 @@ AWAY_M = {"NextWaypoint": 23.0}  # where it lands [m from home]; else at home
 
 
 # What is not here test/tools/test_demo.py flies to its end; a StartButton is a StartMission with a button.
-FLOWN = [("StartMission", "copter px4 rover"), ("StartButton", "copter"), ("NextWaypoint", "copter px4"),
-         ("WorkAtWaypoints", "px4 rover"), ("GoToPlaces", "copter px4 rover"),
-         ("FollowBeacon", "px4 rover")]  # fmt: skip
+# Beside a PX4 a NextWaypoint flies as a StartMission, GoToPlaces as a FollowBeacon.
+FLOWN = [("StartMission", "copter px4 rover"), ("StartButton", "copter"), ("NextWaypoint", "copter"),
+         ("WorkAtWaypoints", "px4 rover"), ("GoToPlaces", "copter rover"), ("FollowBeacon", "px4 rover")]
 
 
 @pytest.mark.slow

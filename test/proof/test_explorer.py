@@ -38,8 +38,8 @@ OWN_FLAGS = ["-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
 SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library does not know: explorer/Generic.cpp
 MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
-WALKS = 20_000  # of three operations, with each autopilot, which find each planted defect; with --all 40,000
-SESSIONS = 150  # of two minutes at a console, with each autopilot, which find each, too; with --all 300
+WALKS = 20_000  # of three operations, with each autopilot: so many find each planted defect
+SESSIONS = 150  # of two minutes at a console, with each autopilot: so many find each, too
 BETAFLIGHT = 1  # MAVMISSION_GENERIC_FIRMWARE
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
            "violations"]  # fmt: skip
@@ -304,27 +304,24 @@ def test_no_operation_is_misled_by_a_frame_that_the_line_brings_once_more(record
 
 
 @pytest.mark.slow
-@PARTS
-def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(record_property, part):
+def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(record_property):
     """Three operations one behind the other, by item and by file, beside copies, losses, reboots and cancels."""
-    walks, first = WALKS, 1 if part == "sample" else WALKS + 1
     rows = []
     for autopilot in AUTOPILOTS:
-        found = explore(f"{autopilot} walks {walks} --seed {first}")
+        found = explore(f"{autopilot} walks {WALKS}")
         assert found["violations"] == "0", found["broken"]
-        assert int(found["operations"]) > 2.9 * walks  # some have more copies on their way than the line has places
+        assert int(found["operations"]) > 2.9 * WALKS  # some have more copies on their way than the line has places
         rows.append([autopilot, f"{int(found['operations']):,}", f"{int(found['transitions']):,}", found["violations"]])
     columns = ["autopilot", "operations", "transitions", "violations"]
     record_property("table", ["walked: three operations in a row at random", [columns, *rows]])
 
 
 @pytest.mark.slow
-@PARTS
-def test_a_console_that_is_typed_at_at_random_does_what_complete_lines_say_and_says_what_is_true(record_property, part):
+def test_a_console_that_is_typed_at_at_random_does_what_complete_lines_say_and_says_what_is_true(record_property):
     """Files, commands and what resembles them, whole and spoilt, pasted and typed while operations run."""
     rows, operations = [], 0
     for autopilot in AUTOPILOTS:
-        found = explore(f"{autopilot} typed {SESSIONS} --seed {1 if part == 'sample' else SESSIONS + 1}")
+        found = explore(f"{autopilot} typed {SESSIONS}")
         assert found["violations"] == "0", found["broken"]
         operations += int(found["operations"])
         rows.append([autopilot, f"{int(found['operations']):,}", f"{int(found['longest_ms']) / 1000:.0f} s", "0"])
