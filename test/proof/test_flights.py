@@ -337,8 +337,6 @@ DEFECTS = {
         )
         for name, number, words in (
             ("kArmDisarm", "76 (400)", "Copter arm standstills 100"),
-            ("kNavTakeoff", "76 (22)", "Copter takeOff standstills 200"),
-            ("kMissionStart", "76 (300)", "Copter start standstills 200"),
             ("kDoSetMode", "76 (176)", "Rover returnHome standstills 100"),
             ("kDoReposition", "75 (192)", "PX4 goTo standstills 200"),
         )

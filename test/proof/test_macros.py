@@ -26,10 +26,9 @@ LIMITS = {
 ONLY = ("MAVMISSION_ONLY_ARDUPILOT", "MAVMISSION_ONLY_PX4")  # what they leave out, other macros and the units ask for
 NUMBERS = tuple(macro for macro, (least, _) in LIMITS.items() if least > 0)
 LEAST, GREATEST = ({macro: LIMITS[macro][n] for macro in NUMBERS} for n in (0, 1))
-# Each a firmware: the numbers together, and each switch alone, which is how other tests compile the library, too.
-AT_LIMITS = {"greatest": GREATEST}
-AT_LIMITS |= {f"{macro}={on}": {macro: on} for macro, (least, most) in LIMITS.items() if least == 0
-              for on in range(1, most + 1)}  # fmt: skip
+# Each a firmware: each switch alone, which is how other tests compile the library, too.
+SWITCHED = {f"{macro}={on}": {macro: on} for macro, (least, most) in LIMITS.items() if least == 0
+            for on in range(1, most + 1)}  # fmt: skip
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
 UNITS = ("frame_parser", "wire_plan", "outbox")
 # These are of the first folders of the library, which use none of the others.
@@ -43,19 +42,20 @@ def test_these_are_all_the_macros_there_are():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("limits", AT_LIMITS)
-def test_firmware_is_built_at_the_limits(limits):
-    assert build_firmware("macros", [SKETCH], AT_LIMITS[limits]).exists()
+@pytest.mark.parametrize("switch", SWITCHED)
+def test_firmware_is_built_at_the_limits(switch):
+    assert build_firmware("macros", [SKETCH], SWITCHED[switch]).exists()
 
 
 @pytest.mark.slow
-def test_sources_that_name_a_number_compile_at_the_least():
-    """Or whose header does. (The numbers at their greatest are a firmware.)"""
+@pytest.mark.parametrize("numbers", [LEAST, GREATEST], ids=["least", "greatest"])
+def test_sources_that_name_a_number_compile_at_the_limits(numbers):
+    """Or whose header does; the numbers together. (How they work: below.)"""
     texts = {source: source.read_text() + header_of(source) for source in library_sources()}
     naming = [source for source, text in texts.items() if any(macro in text for macro in NUMBERS)]
     assert len(naming) >= len(NUMBERS)
     for source in naming:
-        assert firmware.compiled(source, "atmega2560", defined(LEAST), [LIBRARY]).exists()
+        assert firmware.compiled(source, "atmega2560", defined(numbers), [LIBRARY]).exists()
 
 
 def header_of(source: Path) -> str:
