@@ -12,6 +12,7 @@ from simulation.bench import same_bits
 MOST_LOST = {250000: 0, 500000: 0, 1000000: 1}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("baud", MOST_LOST)
 def test_mega_uploads_at_a_rate_that_its_divider_hits(make_service, personality, baud):
     for telemetry in (3000, 4000, 5000):

@@ -26,6 +26,7 @@ def test_each_example_has_its_stand_in():
     assert STAND_INS.keys() == library_folders().keys()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("board", ["ESP32", "ESP8266"])
 @pytest.mark.parametrize("standard", ["gnu++11", "gnu++20"])
 @pytest.mark.parametrize("example", STAND_INS)

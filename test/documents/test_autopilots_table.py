@@ -16,11 +16,13 @@ def test_each_row_has_its_proof_and_each_proof_its_row():
     assert all(list(columns) == list(COLUMNS) and all(columns.values()) for columns in table.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("row", "column", "words"), cells(PAGE))
 def test_cell_says_what_the_firmware_does(build_service, row, column, words):
     assert proven(row, column, build_service) == words
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("row", PROOFS)
 def test_proof_of_a_row_is_none_on_a_line_that_is_dead(build_service, row):
     """A proof that cannot fail would prove nothing."""

@@ -57,6 +57,7 @@ def signing(build, *arguments, **options):
     return bench
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("version", [1, 2])
 def test_plan_comes_aboard_an_autopilot_that_hears_only_what_is_signed(make_bench, personality, version):
     """Signed frames are MAVLink 2, whatever the sketch wants to speak."""

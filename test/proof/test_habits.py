@@ -69,6 +69,7 @@ def test_fault_in_python_is_found(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_types_of_the_tools_and_of_the_simulated_world_are_right():
     assert found_by(*MYPY) == ""
 

@@ -1,7 +1,7 @@
 """The library's parts on this computer, under AddressSanitizer and UndefinedBehaviorSanitizer.
 
-Each file of host/units is run by itself: as clang++ compiles it for 32 bits, under both sanitizers; in tools/test
---quick as g++ does for 64, optimised and without them (in tools/test --all test_coverage.py runs them so).
+Each file of host/units is run by itself: in tools/test --all as clang++ compiles it for 32 bits, under both sanitizers;
+else as g++ does for 64, optimised and without them (in tools/test --all test_coverage.py runs them so).
 """
 
 from __future__ import annotations
@@ -31,8 +31,7 @@ def build_units(units: tuple[Path, ...], compiler: str, flags: tuple[str, ...]) 
 
 
 def pytest_generate_tests(metafunc):
-    clang = pytest.param("clang++", marks=pytest.mark.slow)
-    metafunc.parametrize("way", ["plain", clang] if "not slow" in metafunc.config.option.markexpr else [clang])
+    metafunc.parametrize("way", ["plain" if "not thorough" in metafunc.config.option.markexpr else "clang++"])
 
 
 @pytest.mark.parametrize(

@@ -134,6 +134,7 @@ def test_mistake_is_refused_with_words_that_help(name, compiler):
     check(name, compiler, "11")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("standard", ["14", "17"])
 def test_literals_are_refused_by_later_standards_too(standard, compiler):

@@ -35,6 +35,7 @@ def test_rate_that_the_board_cannot_do_is_not_tried():
     assert 921600 not in bench.opened and 460800 not in bench.opened
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("personality", ["ArduPilot", "PX4"])
 def test_full_line_is_well_also_behind_a_restart_and_a_loop_that_comes_too_late_is_not(personality):
     bench = build(personality, telemetry=5760.0, boot_text=b"Init ArduCopter V4.6.3\n\nFree RAM: 196000\r\n")

@@ -120,6 +120,7 @@ RECORDED = {
     "px4/mission_end": None}  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RECORDED)
 def test_each_listener_understands_what_a_real_autopilot_sent(name):
     bench = VehicleBench(None)

@@ -79,6 +79,7 @@ def flight_of_the_readme(tmp_path_factory) -> str:
     return str(folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_the_flight_of_the_readme_is_good_as_it_stands(autopilot, flight_of_the_readme):
     good, text = shown(flight_of_the_readme, autopilot=autopilot, described={"flies": True})
@@ -92,6 +93,7 @@ def test_each_work_is_done_and_the_landing_is_known_on_a_lossy_link():
     assert good and said == ["at the stop of item 1", "at the stop of item 2", "landed"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_plan_that_each_autopilot_gets_differently_is_judged_right(autopilot):
     good, text = shown(sketch("many_kinds"), autopilot=autopilot)

@@ -42,6 +42,7 @@ def built(build_service, firmware: str):
     return service
 
 
+@pytest.mark.slow
 @BY_MACRO
 @pytest.mark.parametrize("firmware", KINDS)
 def test_what_it_takes_is_read_back_and_verified_and_what_it_does_not_take_is_refused(build_service, firmware):

@@ -10,6 +10,7 @@ OTHER = {"ArduPilot": "PX4", "PX4": "ArduPilot"}
 ASKING = {"MISSION_COUNT", "MISSION_REQUEST_LIST", "MISSION_CLEAR_ALL", "COMMAND_LONG", "COMMAND_INT", "SET_MODE"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("only", OTHER)
 def test_that_autopilot_is_served_to_the_byte_as_by_the_library_for_all_and_the_other_is_refused(build_service, only):
     sent, define = [], {f"MAVMISSION_ONLY_{only.upper()}": 1}

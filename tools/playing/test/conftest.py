@@ -4,19 +4,33 @@ from __future__ import annotations
 
 import pytest
 
+from examples import example_folder
 from played import Page
-from playing import make_folder
+from playing import make_folder, sketches
 from playing.browser import Browser
 from playing.compiling import LONGEST, compiled
 from playing.serving import Server
 
+FEW = ("UploadMission", "StartMission")  # the examples that the page has in tools/test
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """What asks for the folder of all examples is slow."""
+    for item in items:
+        if "folder" in getattr(item, "fixturenames", ()) and item.path.parent.name == "playground":
+            item.add_marker("slow")
+
 
 @pytest.fixture(scope="session")
-def folder(tmp_path_factory):
+def folder(tmp_path_factory, request):
     place = tmp_path_factory.mktemp("playground")
     # Node.js takes a .js for a module where this says so; a browser needs no such word.
     (place / "package.json").write_text('{"type": "module"}\n')
-    return make_folder(place / "site").folder
+    with pytest.MonkeyPatch.context() as patch:
+        if "not thorough" in request.config.option.markexpr:
+            patch.setattr(sketches, "example_folders", lambda: {name: example_folder(name) for name in FEW})
+        return make_folder(place / "site").folder
 
 
 @pytest.fixture(scope="session")
