@@ -14,12 +14,10 @@ from playing.serving import Server
 FEW = ("UploadMission", "StartMission")  # the examples that the page has in tools/test
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
+def pytest_itemcollected(item):
     """What asks for the folder of all examples is slow."""
-    for item in items:
-        if "folder" in getattr(item, "fixturenames", ()) and item.path.parent.name == "playground":
-            item.add_marker("slow")
+    if "folder" in getattr(item, "fixturenames", ()) and item.path.parent.name == "playground":
+        item.add_marker("slow")
 
 
 @pytest.fixture(scope="session")
