@@ -4,8 +4,10 @@
 #include <string.h>
 
 #include <initializer_list>
+#include <string>
 #include <vector>
 
+#include "Script.h"
 #include "mavmission/autopilot/FlightMode.h"
 #include "mavmission/item/MissionItem.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 typedef StartTransfer::State State;
 typedef StartTransfer::Message Message;
+typedef std::vector<MissionItem> Plan;
 
 constexpr uint8_t kCopter = 2, kPlane = 1, kRover = 10;  // MAV_TYPE
 constexpr uint16_t kJumpTag = 601;
@@ -24,25 +27,90 @@ constexpr uint16_t kNoItem = 0xFFFF;
 MissionItem fly() { return waypoint(-35.36_deg, 149.16_deg, 20_m); }
 MissionItem speed() { return changeSpeed(5_mps); }
 
+const struct {
+  const char* name;
+  FlightMode mode;
+} kModes[] = {
+    {"hold", FlightMode::Hold},  // in which it stands before start()
+    {"guided", FlightMode::Guided}, {"manual", FlightMode::Manual},
+    {"auto", FlightMode::Auto},     {"rtl", FlightMode::ReturnToLaunch},  // which nobody has asked for
+};
+
 // start() on an aircraft, as the client runs it, with a plan of wire items.
 struct Flown {
   StartTransfer start;
   CommandTransfer sending;
   Aircraft aircraft;
-  std::vector<MissionItem> plan;
-  uint16_t other;    // a mode that nobody has asked for
-  uint8_t done = 0;  // steps that goTo() has gone through
+  Plan plan;
 
-  Flown(Firmware firmware, uint8_t vehicleType, std::vector<MissionItem> items = {fly(), fly(), speed(), fly()})
-      : plan(items) {
+  Flown(Firmware firmware, uint8_t vehicleType, Plan items = {fly(), fly(), speed(), fly()}) : plan(items) {
     memset(static_cast<void*>(&start), 0, sizeof(start));
     memset(static_cast<void*>(&sending), 0, sizeof(sending));
     aircraft = Aircraft{firmware, vehicleType, false, 0, modeNumber(FlightMode::Auto, firmware, vehicleType), 0, 65000};
     aircraft.mode = number(FlightMode::Hold);
-    other = number(FlightMode::ReturnToLaunch);
+  }
+  Flown& inFlight() {
+    aircraft.isArmed = true;
+    aircraft.mode = aircraft.autoMode;
+    return *this;
+  }
+
+  // The messages that leave, the steps and other states that begin, "asks" where it begins to ask for a heartbeat, and
+  // how it ends, "(armed)" or "(disarmed)" by start(), when this happens:
+  // begins N: from item N of the mission that is aboard; begins unseen: that is not the plan which can be looked at
+  // sent: the line takes the message that is due; wait N: N ms pass; no answer: as many as it waits for one
+  // shows [armed, disarmed] [mode]: the next heartbeat, a second later; soon shows: 10 ms later
+  // current N: MISSION_CURRENT, idle at N: when nothing is flown; other plan: it names another plan
+  // accepted, refused, denied; silence, unconfirmed, too long: the answer to the message, or the lack of one
+  // looks: takes the items that it wants
+  std::string plays(const std::string& script) {
+    said_ = Transcript();
+    Status status = Status::Transferring;
+    for (const Event& event : eventsOf(script)) {
+      const State stateBefore = start.state();
+      const StartStep stepBefore = start.step();
+      const bool askedBefore = asks() && event.what.find("shows") == std::string::npos;  // a heartbeat ends that
+      status = happens(event);
+      if (start.step() != stepBefore || start.state() != stateBefore) said_.note(nameOfState());
+      if (asks() && !askedBefore) said_.note("asks");
+      if (status == Status::Transferring) continue;
+      const char* const kArming[] = {"", " (armed)", " (disarmed)"};
+      said_.note(nameOf(status) + std::string(kArming[static_cast<uint8_t>(start.arming())]));
+      break;
+    }
+    return said_.text();
+  }
+
+  // The same as an autopilot leads it to this step that does what it is told; nothing of the step was sent.
+  std::string flies(StartStep step = StartStep::Confirm, const std::string& begins = "begins 0") {
+    std::string all;
+    const auto obeys = [&](const std::string& script) {
+      const std::string said = plays(script);
+      if (!all.empty() && !said.empty()) all += ", ";
+      all += said;
+    };
+    if (start.state() == State::New) obeys(begins);
+    while (start.step() < step) {
+      switch (const StartStep now = start.step()) {
+        case StartStep::FirstItem:
+          if (has(aircraft.firmware, kNamesFlownItems)) obeys("sent, current " + std::to_string(start.next()));
+          obeys("sent, current " + std::to_string(start.first()));
+          break;
+        case StartStep::Arm: obeys("sent, accepted, shows armed"); break;
+        case StartStep::Begin:
+          obeys("sent, accepted");
+          inFlight();
+          break;
+        default: REQUIRE((now == StartStep::ReadyMode || now == StartStep::AutoMode)); obeys("sent, shows wanted");
+      }
+    }
+    return all;
   }
 
   uint16_t number(FlightMode mode) const { return modeNumber(mode, aircraft.firmware, aircraft.vehicleType); }
+
+  // True if it asks for a heartbeat.
+  bool asks() const { return sending.isAskDue(static_cast<uint16_t>(aircraft.nowMs + 100), 100); }
 
   // Gives it the items that it wants.
   Status look() {
@@ -55,83 +123,83 @@ struct Flown {
     }
     return Status::TookTooLong;
   }
-  Status begin(uint16_t first = 0, bool isMission = true) {
+
+ private:
+  Transcript said_;
+
+  Status happens(const Event& event) {
+    const uint16_t item = static_cast<uint16_t>(event.number);
+    if (event.is("begins")) return begin(item, true);
+    if (event.is("begins unseen")) return begin(0, false);
+    if (event.is("sent")) return sent();
+    if (event.is("wait")) return pass(event.number);
+    if (event.is("no answer")) return pass(CommandTransfer::kAnswerMs);
+    if (event.is("current") || event.is("idle at"))
+      return start.onCurrent(item, event.is("current"), aircraft, sending);
+    if (event.is("other plan")) return start.onOtherNamed(aircraft, sending);
+    if (event.is("accepted")) return start.onAccepted(aircraft, sending);
+    if (event.is("refused")) return start.onRefused(Status::CommandFailed, aircraft, sending);
+    if (event.is("denied")) return start.onRefused(Status::CommandDenied, aircraft, sending);
+    if (event.is("silence")) return start.onSilent(Status::NoAnswer, aircraft, sending);
+    if (event.is("unconfirmed")) return start.onSilent(Status::Unconfirmed, aircraft, sending);
+    if (event.is("too long")) return start.onSilent(Status::TookTooLong, aircraft, sending);
+    if (event.is("looks")) return look();
+    return heartbeat(event);
+  }
+  Status begin(uint16_t first, bool isMission) {
     start.setFirst(static_cast<uint16_t>(first + 7));  // by the sketch's number
     CHECK(start.first() == first + 7);
-    CHECK((start.state() == State::New));
     start.begin(first, isMission, aircraft.firmware);
     CHECK((start.state() == State::Looking));
     return look();
   }
-  // True if the client's gate lets the message leave right behind a heartbeat alone.
-  bool isOrder() const { return start.message() != Message::FirstItem && start.message() != Message::AskCurrent; }
-  bool lacksHeartbeat(uint16_t nowMs) {
-    if (isOrder()) sending.guard();
-    return sending.lacksHeartbeat(nowMs);
-  }
-  void sent() {
-    CHECK(sending.isDue());
-    if (isOrder()) sending.guard();
+  Status sent() {
+    REQUIRE(sending.isDue());
+    const char* const kNames[] = {"mode", "first item", "arm", "start", "ask current", "disarm"};
+    std::string said = kNames[static_cast<uint8_t>(start.message())];
+    if (start.message() == Message::Mode) said += " " + nameOfMode(start.modeToSet());
+    // The client's gate lets an order leave right behind a heartbeat alone, and any other message without one.
+    const bool isOrder = start.message() != Message::FirstItem && start.message() != Message::AskCurrent;
+    if (isOrder) sending.guard();
+    CHECK(sending.lacksHeartbeat(static_cast<uint16_t>(aircraft.nowMs + 50)) == isOrder);
+    said_.note(said);
     sending.sent(aircraft.nowMs);
+    return Status::Transferring;
   }
-  void sent(Message message) {
-    CHECK((start.message() == message));
-    sent();
+  Status pass(uint32_t ms) {
+    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + ms);
+    const bool wasDue = sending.isDue();
+    CHECK((sending.onTime(0, aircraft.nowMs) == Status::Transferring));
+    if (!wasDue && sending.isDue()) said_.note("due again");
+    return Status::Transferring;
   }
-  Status heartbeat(bool armed, uint16_t mode) {
-    aircraft.isArmed = armed;
-    aircraft.mode = mode;
-    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + 1000);
+  Status heartbeat(const Event& event) {
+    const auto hasWord = [&](const char* word) { return (" " + event.what + " ").find(word) != std::string::npos; };
+    REQUIRE(hasWord(" shows "));
+    if (hasWord(" armed ")) aircraft.isArmed = true;
+    if (hasWord(" disarmed ")) aircraft.isArmed = false;
+    if (hasWord(" wanted ")) aircraft.mode = start.modeToSet();
+    if (event.number != 0) aircraft.mode = static_cast<uint16_t>(event.number);
+    for (const auto& mode : kModes) {
+      if (hasWord((" " + std::string(mode.name) + " ").c_str())) aircraft.mode = number(mode.mode);
+    }
+    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + (hasWord("soon ") ? 10 : 1000));
     ++aircraft.seconds;
     sending.onHeartbeat(aircraft.nowMs);
     return start.onHeartbeat(aircraft, sending);
   }
-  Status heartbeat() { return heartbeat(aircraft.isArmed, aircraft.mode); }
-  Status current(uint16_t item, bool isUnderWay = true) { return start.onCurrent(item, isUnderWay, aircraft, sending); }
-  // True if the message that was sent is sent again when nothing answers it.
-  bool isRepeated() {
-    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + CommandTransfer::kAnswerMs);
-    return sending.onTime(0, aircraft.nowMs) == Status::Transferring && sending.state() == CommandTransfer::State::Due;
+  std::string nameOfState() const {
+    const char* const kSteps[] = {"None", "ReadyMode", "FirstItem", "Arm", "AutoMode", "Begin", "Confirm"};
+    const char* const kStates[] = {"New",         "Looking", "Steps",     "Asking",    "Shown",   "Judging",
+                                   "JudgingNext", "Leaving", "Disarming", "Restoring", "Yielding"};
+    const uint8_t state = static_cast<uint8_t>(start.state()), step = static_cast<uint8_t>(start.step());
+    return start.state() == State::Steps ? kSteps[step] : kStates[state];
   }
-  Status accepted() { return start.onAccepted(aircraft, sending); }
-  Status refused(Status status = Status::CommandFailed) { return start.onRefused(status, aircraft, sending); }
-  Status silent(Status status = Status::NoAnswer) { return start.onSilent(status, aircraft, sending); }
-
-  // True if it asks for a heartbeat.
-  bool asks() const { return sending.isAskDue(static_cast<uint16_t>(aircraft.nowMs + 100), 100); }
-
-  bool isAt(StartStep step, State state = State::Steps) const { return start.step() == step && start.state() == state; }
-
-  // Goes on to this step as an autopilot leads it there that does what it is told; nothing of the step was sent.
-  void goTo(StartStep step, uint16_t first = 0) {
-    if (start.state() == State::New) REQUIRE((begin(first) == Status::Transferring));
-    while (start.step() < step) {
-      const StartStep now = start.step();
-      if (now == StartStep::FirstItem && has(aircraft.firmware, kNamesFlownItems)) {
-        sent(Message::FirstItem);
-        REQUIRE((current(start.next()) == Status::Transferring));
-        REQUIRE((start.state() == State::Asking));
-      }
-      sent();
-      switch (now) {
-        case StartStep::FirstItem: REQUIRE((current(start.first()) == Status::Transferring)); break;
-        case StartStep::ReadyMode:
-        case StartStep::AutoMode:
-          REQUIRE((heartbeat(aircraft.isArmed, start.modeToSet()) == Status::Transferring));
-          break;
-        case StartStep::Arm:
-          REQUIRE((accepted() == Status::Transferring));
-          REQUIRE((heartbeat(true, aircraft.mode) == Status::Transferring));
-          break;
-        default:
-          REQUIRE((accepted() == Status::Transferring));
-          aircraft.isArmed = true;
-          aircraft.mode = aircraft.autoMode;
-          break;
-      }
-      REQUIRE((start.step() > now));
-      ++done;
+  std::string nameOfMode(uint16_t number) const {
+    for (const auto& mode : kModes) {
+      if (this->number(mode.mode) == number) return mode.name;
     }
+    return std::to_string(number);
   }
 };
 
@@ -139,39 +207,40 @@ Flown copter() { return Flown(Firmware::ArduPilot, kCopter); }
 Flown rover() { return Flown(Firmware::ArduPilot, kRover); }
 Flown px4() { return Flown(Firmware::Px4, kCopter); }
 
+Flown at(StartStep step, Flown flight) {
+  flight.flies(step);
+  return flight;
+}
+
 // Has armed, was refused, and waits for a heartbeat.
 Flown leaving() {
-  Flown flight = copter();
-  flight.goTo(StartStep::Begin);
-  flight.sent(Message::Start);
-  CHECK((flight.refused() == Status::Transferring));
-  CHECK((flight.start.state() == State::Leaving));
+  Flown flight = at(StartStep::Begin, copter());
+  CHECK(flight.plays("sent, refused") == "start, Leaving, asks");
   CHECK((flight.sending.state() == CommandTransfer::State::Listening));
-  CHECK(flight.asks());
   CHECK(flight.sending.tries() == 0);  // nothing can be answered
   return flight;
 }
 
 Flown disarming() {
   Flown flight = leaving();
-  CHECK((flight.heartbeat() == Status::Transferring));
-  CHECK((flight.start.state() == State::Disarming));
-  flight.sent(Message::Disarm);
+  CHECK(flight.plays("shows, sent") == "Disarming, disarm");
   return flight;
 }
+
+std::string string(unsigned number) { return std::to_string(number); }
 
 }  // namespace
 
 // New --> Looking --> Steps
 
 TEST_CASE("the item that is flown first is the first navigation command on the way over DO commands and jumps") {
-  struct Way {
-    std::vector<MissionItem> plan;  // without home
-    uint16_t first, flown;
-  };
-  const Way ways[] = {
+  const struct {
+    Plan plan;  // without home
+    unsigned first, flown;
+  } kWays[] = {
       {{fly(), fly()}, 1, 1},
       {{fly(), fly()}, 2, 2},
+      {{fly(), fly()}, 0, 1},  // home is not looked at
       {{speed(), speed(), fly()}, 1, 3},
       {{jump(3, 1), fly(), speed(), fly()}, 1, 4},
       {{jump(1, 2), fly()}, 1, 2},  // into itself: followed once, and passed
@@ -180,60 +249,37 @@ TEST_CASE("the item that is flown first is the first navigation command on the w
       {{jump(2, 0), speed(), fly()}, 1, 3},   // no times at all: not followed
       {{anyCommand(201), fly()}, 1, 2},
   };
-  for (const Way& way : ways) {
-    std::vector<MissionItem> plan = {fly()};
+  for (const auto& way : kWays) {
+    Plan plan = {fly()};
     plan.insert(plan.end(), way.plan.begin(), way.plan.end());
     Flown flight(Firmware::ArduPilot, kCopter, plan);
-    CHECK((flight.begin(way.first) == Status::Transferring));
+    CHECK(flight.plays("begins " + string(way.first)) == "ReadyMode");
     CHECK(flight.start.next() == way.flown);
-    CHECK(flight.isAt(StartStep::ReadyMode));
   }
 }
 
 TEST_CASE("scripts and speeds of turning are flown, a region of interest among the navigation commands is not") {
-  for (uint16_t command : {213, 42702, 42703, 95}) {
-    Flown flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
-    flight.begin();
-    CHECK(flight.start.next() == 0);
+  const uint16_t kFlown[][2] = {{213, 0}, {42702, 0}, {42703, 0}, {95, 0}, {80, 1}, {96, 1}, {112, 1}, {178, 1}};
+  for (const auto& row : kFlown) {
+    Flown flight(Firmware::Px4, kCopter, {anyCommand(row[0]), fly()});
+    CHECK(flight.plays("begins 0") == "FirstItem");
+    CHECK(flight.start.next() == row[1]);
   }
-  for (uint16_t command : {80, 96, 112, 178}) {
-    Flown flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
-    flight.begin();
-    CHECK(flight.start.next() == 1);
-  }
-}
-
-TEST_CASE("home is not looked at") {
-  Flown flight = copter();
-  flight.begin(0);
-  CHECK(flight.start.next() == 1);
-  Flown other = px4();
-  other.begin(0);
-  CHECK(other.start.next() == 0);
 }
 
 TEST_CASE("a plan in which nothing is flown ends start() before the first step") {
-  const std::vector<MissionItem> plans[] = {
-      {speed(), speed()},
-      {speed(), jump(0, -1)},
-      {},
-  };
-  for (const std::vector<MissionItem>& plan : plans) {
-    Flown flight(Firmware::Px4, kCopter, plan);
-    CHECK((flight.begin() == Status::NothingToFly));
-    CHECK((flight.start.step() == StartStep::None));
-    CHECK((flight.start.arming() == StartArming::Untouched));
+  for (const Plan& plan : {Plan{speed(), speed()}, Plan{speed(), jump(0, -1)}, Plan{}}) {
+    CHECK(Flown(Firmware::Px4, kCopter, plan).plays("begins 0") == "Looking, NothingToFly");
   }
 }
 
 TEST_CASE("a way that cannot be followed does not hinder the steps, and no item is expected then") {
   Flown fence = copter();
-  CHECK((fence.begin(0, false) == Status::Transferring));
+  CHECK(fence.plays("begins unseen") == "ReadyMode");
   CHECK(fence.start.next() == kNoItem);
-  CHECK(fence.isAt(StartStep::ReadyMode));
 
   Flown tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
-  CHECK((tag.begin() == Status::Transferring));
+  CHECK(tag.plays("begins 0") == "FirstItem");
   CHECK(tag.start.next() == kNoItem);
 
   Flown source = px4();
@@ -242,10 +288,10 @@ TEST_CASE("a way that cannot be followed does not hinder the steps, and no item 
   CHECK(source.start.next() == kNoItem);
 
   for (size_t others : {99u, 100u}) {
-    std::vector<MissionItem> plan(others, speed());
+    Plan plan(others, speed());
     plan.push_back(fly());
     Flown flight(Firmware::Px4, kCopter, plan);
-    CHECK((flight.begin() == Status::Transferring));
+    CHECK(flight.plays("begins 0") == "FirstItem");
     CHECK(flight.start.next() == (others == 99 ? 99 : kNoItem));
   }
 }
@@ -253,541 +299,284 @@ TEST_CASE("a way that cannot be followed does not hinder the steps, and no item 
 // The steps
 
 TEST_CASE("each vehicle gets the steps that it needs, in their order") {
-  struct Vehicle {
+  const struct {
     Firmware firmware;
     uint8_t type;
     bool isArmed;
-    std::vector<StartStep> steps;
+    const char* steps;
+  } kVehicles[] = {
+      // A copter is armed in GUIDED and begins by MISSION_START, a rover is armed in MANUAL and drives in AUTO.
+      {Firmware::ArduPilot, kCopter, false,
+       "ReadyMode, mode guided, FirstItem, first item, Asking, ask current, Arm, arm, asks, Begin, start, Confirm, "
+       "asks"},
+      {Firmware::ArduPilot, kRover, false,
+       "ReadyMode, mode manual, FirstItem, first item, Asking, ask current, Arm, arm, asks, AutoMode, mode auto, "
+       "Shown"},
+      {Firmware::ArduPilot, kPlane, false,
+       "FirstItem, first item, Asking, ask current, Arm, arm, asks, AutoMode, mode auto, Shown"},
+      {Firmware::ArduPilot, kCopter, true, "FirstItem, first item, Asking, ask current, Begin, start, Confirm, asks"},
+      {Firmware::ArduPilot, kRover, true, "FirstItem, first item, Asking, ask current, AutoMode, mode auto, Shown"},
+      {Firmware::Px4, kCopter, false, "FirstItem, first item, Begin, start, Confirm, asks"},
+      {Firmware::Px4, kCopter, true, "FirstItem, first item, Begin, start, Confirm, asks"},
   };
-  const StartStep kReady = StartStep::ReadyMode, kItem = StartStep::FirstItem, kArm = StartStep::Arm,
-                  kAuto = StartStep::AutoMode, kBegin = StartStep::Begin, kConfirm = StartStep::Confirm;
-  const Vehicle vehicles[] = {
-      {Firmware::ArduPilot, kCopter, false, {kReady, kItem, kArm, kBegin, kConfirm}},
-      {Firmware::ArduPilot, kRover, false, {kReady, kItem, kArm, kAuto, kConfirm}},
-      {Firmware::ArduPilot, kPlane, false, {kItem, kArm, kAuto, kConfirm}},
-      {Firmware::ArduPilot, kCopter, true, {kItem, kBegin, kConfirm}},
-      {Firmware::ArduPilot, kRover, true, {kItem, kAuto, kConfirm}},
-      {Firmware::Px4, kCopter, false, {kItem, kBegin, kConfirm}},
-      {Firmware::Px4, kCopter, true, {kItem, kBegin, kConfirm}},
-  };
-  for (const Vehicle& vehicle : vehicles) {
+  for (const auto& vehicle : kVehicles) {
     Flown flight(vehicle.firmware, vehicle.type);
     flight.aircraft.isArmed = vehicle.isArmed;
-    uint8_t before = 0;
-    for (StartStep step : vehicle.steps) {
-      flight.goTo(step);
-      CHECK((flight.start.step() == step));
-      CHECK((flight.sending.state() != CommandTransfer::State::Sent));
-      CHECK(flight.done == before++);
-    }
+    CHECK(flight.flies() == vehicle.steps);
+    CHECK((flight.sending.state() != CommandTransfer::State::Sent));
     CHECK((flight.start.arming() == (vehicle.isArmed ? StartArming::Untouched : StartArming::Armed)));
   }
 }
 
 TEST_CASE("an aircraft that flies its mission already gets no command, and is only asked what it flies") {
   for (Flown flight : {copter(), px4()}) {
-    flight.aircraft.isArmed = true;
-    flight.aircraft.mode = flight.aircraft.autoMode;
-    CHECK((flight.begin() == Status::Transferring));
-    CHECK(flight.isAt(StartStep::Confirm));
+    CHECK(flight.inFlight().plays("begins 0") == "Confirm");
     CHECK((flight.start.message() == Message::AskCurrent));
   }
-}
-
-TEST_CASE("a copter is armed in GUIDED and begins by MISSION_START, a rover is armed in MANUAL and drives in AUTO") {
-  Flown flight = copter();
-  flight.begin();
-  CHECK((flight.start.message() == Message::Mode));
-  CHECK(flight.start.modeToSet() == flight.number(FlightMode::Guided));
-  flight.goTo(StartStep::Begin);
-  CHECK((flight.start.message() == Message::Start));
-
-  Flown other = rover();
-  other.begin();
-  CHECK((other.start.message() == Message::Mode));
-  CHECK(other.start.modeToSet() == other.number(FlightMode::Manual));
-  other.goTo(StartStep::AutoMode);
-  CHECK((other.start.message() == Message::Mode));
-  CHECK(other.start.modeToSet() == other.aircraft.autoMode);
 }
 
 TEST_CASE("a mode that is there already is not set, and no other order takes its place") {
   Flown flight = copter();
   flight.aircraft.mode = flight.number(FlightMode::Guided);
-  flight.begin();
-  CHECK(flight.isAt(StartStep::FirstItem));
-  Flown meanwhile = copter();
-  meanwhile.begin();
-  CHECK((meanwhile.heartbeat(false, meanwhile.number(FlightMode::Guided)) == Status::Transferring));
-  CHECK(meanwhile.isAt(StartStep::FirstItem));
+  CHECK(flight.plays("begins 0") == "FirstItem");
+  CHECK(copter().plays("begins 0, shows guided") == "ReadyMode, FirstItem");
 }
 
 TEST_CASE("a mode is set when a heartbeat shows it, which is asked for when the order was accepted") {
-  for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
-    Flown flight = rover();
-    flight.goTo(step);
-    const uint16_t mode = flight.start.modeToSet();
-    CHECK(flight.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)));
-    flight.sent(Message::Mode);
-    CHECK((flight.accepted() == Status::Transferring));
-    CHECK(flight.isAt(step));
-    CHECK(flight.asks());
-    CHECK((flight.heartbeat(step != StartStep::ReadyMode, mode) == Status::Transferring));
-    CHECK((flight.start.step() > step));
-  }
-}
-
-TEST_CASE("each order that changes the mode or arms leaves behind a heartbeat, and no other message does") {
-  for (Flown flight : {copter(), rover(), px4()}) {
-    for (StartStep step : {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::AutoMode,
-                           StartStep::Begin, StartStep::Confirm}) {
-      if (flight.start.step() > step) continue;
-      flight.goTo(step);
-      if (flight.start.step() != step) continue;
-      const bool isOrder = step != StartStep::FirstItem && step != StartStep::Confirm;
-      CHECK(flight.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)) == isOrder);
-    }
-  }
+  CHECK(at(StartStep::ReadyMode, rover()).plays("sent, accepted, shows manual") == "mode manual, asks, FirstItem");
+  CHECK(at(StartStep::AutoMode, rover()).plays("sent, accepted, shows auto") == "mode auto, asks, Shown");
 }
 
 TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's MISSION_CURRENT suffices") {
-  Flown flight = copter();
-  flight.goTo(StartStep::FirstItem);
-  CHECK((flight.heartbeat() == Status::Transferring));
-  CHECK((flight.current(1) == Status::Transferring));  // came before the command left
-  CHECK(flight.isAt(StartStep::FirstItem));
-  flight.sent(Message::FirstItem);
-  CHECK((flight.current(3) == Status::Transferring));  // came unasked
-  CHECK(flight.isAt(StartStep::FirstItem));
-  CHECK((flight.accepted() == Status::Transferring));
-  CHECK(flight.isAt(StartStep::FirstItem));
-  CHECK((flight.current(0) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
+  // What comes before the command left, or unasked, is no answer. MISSION_CURRENT may come unasked when it is refused.
+  Flown flight = at(StartStep::FirstItem, copter());
+  CHECK(flight.plays("shows, current 1, sent, current 3, accepted, current 0") == "first item, asks, Asking");
   CHECK(flight.start.seen() == kNoItem);
-  flight.sent(Message::AskCurrent);
-  CHECK(flight.isRepeated());
-  flight.sent(Message::AskCurrent);
-  CHECK((flight.refused() == Status::Transferring));  // MISSION_CURRENT may come unasked
-  CHECK((flight.heartbeat() == Status::Transferring));
-  CHECK((flight.current(3) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
-  CHECK((flight.current(1) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Arm));
-
-  Flown other = px4();
-  other.goTo(StartStep::FirstItem);
-  CHECK((other.current(0) == Status::Transferring));
-  CHECK(other.isAt(StartStep::FirstItem));
-  other.sent(Message::FirstItem);
-  CHECK((other.current(2) == Status::Transferring));
-  CHECK(other.isAt(StartStep::FirstItem));
-  CHECK((other.current(0) == Status::Transferring));
-  CHECK(other.isAt(StartStep::Begin));
+  CHECK(flight.plays("sent, no answer, sent, refused, shows, current 3, current 1") ==
+        "ask current, due again, ask current, Arm");
+  CHECK(at(StartStep::FirstItem, px4()).plays("current 0, sent, current 2, current 0") == "first item, Begin");
 }
 
 TEST_CASE("ArduPilot may name home, the first item, or the one that will be flown first") {
-  for (uint16_t named : {0, 1, 2}) {
-    Flown flight(Firmware::ArduPilot, kCopter, {fly(), speed(), fly(), fly()});
-    flight.goTo(StartStep::FirstItem);
-    flight.sent();
-    flight.current(2);
-    flight.sent(Message::AskCurrent);
-    flight.current(named);
-    CHECK(flight.isAt(StartStep::Arm));
+  for (unsigned named : {0, 1, 2}) {
+    Flown flight = at(StartStep::FirstItem, Flown(Firmware::ArduPilot, kCopter, {fly(), speed(), fly(), fly()}));
+    CHECK(flight.plays("sent, current 2, sent, current " + string(named)) == "first item, Asking, ask current, Arm");
   }
   Flown second = copter();  // home is no item to begin with in the middle
-  second.goTo(StartStep::FirstItem, 3);
-  second.sent();
-  second.current(3);
-  second.sent(Message::AskCurrent);
-  second.current(0);
-  CHECK(second.isAt(StartStep::FirstItem, State::Asking));
+  second.flies(StartStep::FirstItem, "begins 3");
+  CHECK(second.plays("sent, current 3, sent, current 0") == "first item, Asking, ask current");
 }
 
 TEST_CASE("where the plan cannot be looked at, the item that ArduPilot names is the one that is flown first") {
   Flown flight = copter();
-  flight.begin(0, false);
-  flight.goTo(StartStep::FirstItem);
-  flight.sent();
-  flight.current(0);
-  flight.sent(Message::AskCurrent);
-  CHECK((flight.current(0) == Status::Transferring));  // home is no answer then
-  CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
-  CHECK((flight.current(3) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Arm));
+  flight.flies(StartStep::FirstItem, "begins unseen");
+  CHECK(flight.plays("sent, current 0, sent, current 0") == "first item, Asking, ask current");  // home is no answer
+  CHECK(flight.plays("current 3") == "Arm");
   CHECK(flight.start.next() == 3);
 }
 
 TEST_CASE("arming is confirmed by a heartbeat, which is asked for when it was accepted") {
-  Flown flight = copter();
-  flight.goTo(StartStep::Arm);
-  flight.sent(Message::Arm);
-  CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Arm));
-  CHECK((flight.accepted() == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Arm));
-  CHECK(flight.asks());
-  CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Begin));
+  Flown flight = at(StartStep::Arm, copter());
+  CHECK(flight.plays("sent, shows disarmed, accepted, shows armed") == "arm, asks, Begin");
   CHECK((flight.start.arming() == StartArming::Armed));
 }
 
 TEST_CASE("an aircraft that somebody else arms first was not armed by start()") {
-  Flown flight = copter();
-  flight.goTo(StartStep::Arm);
-  CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Begin));
+  Flown flight = at(StartStep::Arm, copter());
+  CHECK(flight.plays("shows armed") == "Begin");
   CHECK((flight.start.arming() == StartArming::Untouched));
 }
 
 TEST_CASE("what somebody disarms ends start(), which says so") {
-  for (StartStep step : {StartStep::Begin, StartStep::Confirm}) {
-    Flown flight = copter();
-    flight.goTo(step);
-    CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::NotArmed));
-    CHECK((flight.start.arming() == StartArming::Disarmed));
-  }
-  Flown px = px4();  // has accepted MISSION_START, which arms, and no heartbeat has shown it armed
-  px.goTo(StartStep::Confirm);
-  px.aircraft.nowMs = static_cast<uint16_t>(px.aircraft.nowMs - 800);
-  CHECK((px.heartbeat(false, px.aircraft.mode) == Status::Transferring));
-  CHECK((px.heartbeat() == Status::NotArmed));
-  CHECK((px.start.arming() == StartArming::Disarmed));
-  Flown before = copter();  // it was armed before start()
-  before.aircraft.isArmed = true;
-  before.begin();
-  CHECK((before.heartbeat(false, before.aircraft.mode) == Status::NotArmed));
-  CHECK((before.start.arming() == StartArming::Untouched));
+  CHECK(at(StartStep::Begin, copter()).plays("shows disarmed") == "NotArmed (disarmed)");
+  CHECK(at(StartStep::Confirm, copter()).plays("shows disarmed") == "NotArmed (disarmed)");
+  // It has accepted MISSION_START, which arms, and no heartbeat has shown it armed.
+  CHECK(at(StartStep::Confirm, px4()).plays("soon shows disarmed, shows") == "asks, NotArmed (disarmed)");
+  CHECK(copter().inFlight().plays("begins 0, shows disarmed") == "Confirm, NotArmed");  // armed before start()
 }
 
 TEST_CASE("the order that begins is answered, or a heartbeat shows what it does") {
   for (Flown flight : {copter(), px4()}) {
-    flight.goTo(StartStep::Begin);
+    flight.flies(StartStep::Begin);
     const bool isPx4 = flight.aircraft.firmware == Firmware::Px4;
     Flown answered = flight;
-    if (isPx4) CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
-    flight.sent(Message::Start);
-    CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
-    CHECK(flight.isAt(StartStep::Confirm, State::Shown));
-    answered.sent(Message::Start);
-    CHECK((answered.accepted() == Status::Transferring));
-    CHECK(answered.isAt(StartStep::Confirm));
-    CHECK(answered.asks());
-    const CommandTransfer::State state = answered.sending.state();
-    CHECK((state == (isPx4 ? CommandTransfer::State::Listening : CommandTransfer::State::Due)));
+    if (isPx4) CHECK(flight.plays("shows disarmed") == "");
+    CHECK(flight.plays("sent, shows armed auto") == "start, Shown");
+    CHECK(answered.plays("sent, accepted") == "start, Confirm, asks");
+    CHECK((answered.sending.state() == (isPx4 ? CommandTransfer::State::Listening : CommandTransfer::State::Due)));
   }
 }
 
 TEST_CASE("a PX4 that is armed in the mode of before is somebody else's, since it sets the mode before it arms") {
-  Flown flight = px4();
-  flight.goTo(StartStep::Begin);
-  flight.sent(Message::Start);
-  Flown other = flight;
-  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 800);
-  CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));  // the mode may follow
-  CHECK(flight.asks());
-  Flown answered = other;
-  CHECK((other.heartbeat(true, other.aircraft.mode) == Status::TakenOver));
-  CHECK((other.start.arming() == StartArming::Armed));
-  answered.accepted();
-  CHECK((answered.heartbeat(true, answered.aircraft.mode) == Status::TakenOver));
-  CHECK((answered.start.arming() == StartArming::Armed));
+  const Flown flight = at(StartStep::Begin, px4());
+  CHECK(Flown(flight).plays("sent, soon shows armed") == "start, asks");  // the mode may follow
+  CHECK(Flown(flight).plays("sent, shows armed") == "start, TakenOver (armed)");
+  CHECK(Flown(flight).plays("sent, accepted, shows armed") == "start, Confirm, asks, TakenOver (armed)");
 }
 
 // Confirm --> Shown --> Judging, JudgingNext --> the end
 
 TEST_CASE("start() is done by a heartbeat and a MISSION_CURRENT, in either order") {
-  for (Flown flight : {copter(), rover(), px4()}) {
-    for (bool isHeartbeatFirst : {true, false}) {
-      Flown one = flight;
-      one.goTo(StartStep::Confirm);
-      const uint16_t first = one.start.next(), mode = one.aircraft.autoMode;
-      const bool isShown = one.start.state() == State::Shown;  // a rover, by the heartbeat that shows AUTO
-      if (isHeartbeatFirst || isShown) {
-        CHECK((one.heartbeat(true, mode) == Status::Transferring));
-        CHECK(one.isAt(StartStep::Confirm, State::Shown));
-        CHECK((one.current(first, false) == Status::Transferring));  // it says that nothing is flown
-        CHECK((one.current(first) == Status::Done));
-      } else {
-        CHECK((one.current(first) == Status::Transferring));
-        CHECK(one.isAt(StartStep::Confirm));
-        CHECK((one.heartbeat(true, mode) == Status::Done));
-      }
-      CHECK((one.start.arming() == StartArming::Armed));
-    }
-  }
+  CHECK(at(StartStep::Confirm, copter()).plays("shows armed auto, idle at 1, current 1") == "Shown, Done (armed)");
+  CHECK(at(StartStep::Confirm, copter()).plays("current 1, shows armed auto") == "Shown, Done (armed)");
+  CHECK(at(StartStep::Confirm, px4()).plays("shows armed auto, idle at 0, current 0") == "Shown, Done (armed)");
+  CHECK(at(StartStep::Confirm, px4()).plays("current 0, shows armed auto") == "Shown, Done (armed)");
+  // The heartbeat that shows AUTO is there.
+  CHECK(at(StartStep::Confirm, rover()).plays("shows, idle at 1, current 1") == "Done (armed)");
 }
 
 TEST_CASE("PX4 may name each command on the way to the item that is flown first, and no other") {
-  const std::vector<MissionItem> plan = {speed(), jump(3, 2), fly(), speed(), fly(), fly()};
-  for (uint16_t named : {0, 1, 2, 3, 4, 5}) {
-    Flown flight(Firmware::Px4, kCopter, plan);
-    flight.goTo(StartStep::Confirm);
-    flight.heartbeat(true, flight.aircraft.autoMode);
-    Status status = flight.current(named);
-    if (named != 0) {
-      CHECK((status == Status::Transferring));
-      CHECK((flight.start.state() == State::Judging));
-      CHECK((flight.current(5) == Status::Transferring));  // judged is the one that was named first
-      CHECK(flight.start.seen() == named);
-      status = flight.look();
-    }
+  const Plan plan = {speed(), jump(3, 2), fly(), speed(), fly(), fly()};
+  for (unsigned named : {0, 1, 2, 3, 4, 5}) {
+    Flown flight = at(StartStep::Confirm, Flown(Firmware::Px4, kCopter, plan));
     const bool isOnTheWay = named == 0 || named == 1 || named == 3 || named == 4;
-    CHECK((status == (isOnTheWay ? Status::Done : Status::OtherItem)));
+    // Judged is the one that was named first.
+    CHECK(flight.plays("shows armed auto, current " + string(named) + ", current 5, looks") ==
+          (named == 0   ? "Shown, Done (armed)"
+           : isOnTheWay ? "Shown, Judging, Done (armed)"
+                        : "Shown, Judging, OtherItem (armed)"));
     CHECK(flight.start.seen() == named);
   }
-}
-
-TEST_CASE("a long way is followed twice, each time with all its looks") {
-  std::vector<MissionItem> plan(60, speed());
-  plan.push_back(fly());
-  Flown flight(Firmware::Px4, kCopter, plan);
-  flight.goTo(StartStep::Confirm);
-  flight.heartbeat(true, flight.aircraft.autoMode);
-  CHECK((flight.current(59) == Status::Transferring));
-  CHECK((flight.look() == Status::Done));
+  Plan longWay(60, speed());  // is followed twice, each time with all its looks
+  longWay.push_back(fly());
+  CHECK(at(StartStep::Confirm, Flown(Firmware::Px4, kCopter, longWay)).plays("shows armed auto, current 59, looks") ==
+        "Shown, Judging, Done (armed)");
 }
 
 TEST_CASE("a rover, and an aircraft that was in the air, may have finished the first item already, but not the next") {
-  struct Case {
+  const struct {
     uint8_t type;
     bool wasArmed;
-    uint16_t named;
-    Status status;
+    unsigned items, named;
+    const char* ends;
+  } kCases[] = {
+      {kRover, false, 4, 2, "Judging, JudgingNext, Done (armed)"},
+      {kRover, false, 4, 3, "Judging, JudgingNext, OtherItem (armed)"},
+      {kRover, false, 2, 3, "Judging, JudgingNext, OtherItem (armed)"},  // behind the last item there is no next one
+      {kCopter, true, 4, 2, "Shown, Judging, JudgingNext, Done"},
+      {kCopter, true, 4, 3, "Shown, Judging, JudgingNext, OtherItem"},
+      {kCopter, false, 4, 2, "Shown, Judging, OtherItem (armed)"},
   };
-  const Case cases[] = {
-      {kRover, false, 2, Status::Done},       {kRover, false, 3, Status::OtherItem}, {kCopter, true, 2, Status::Done},
-      {kCopter, false, 2, Status::OtherItem}, {kCopter, true, 3, Status::OtherItem},
-  };
-  for (const Case& one : cases) {
-    Flown flight(Firmware::ArduPilot, one.type, {fly(), fly(), fly(), fly()});
+  for (const auto& one : kCases) {
+    Flown flight(Firmware::ArduPilot, one.type, Plan(one.items, fly()));
     flight.aircraft.isArmed = one.wasArmed;
-    flight.goTo(StartStep::Confirm);
-    flight.heartbeat(true, flight.aircraft.autoMode);
-    CHECK((flight.current(one.named) == Status::Transferring));
-    CHECK((flight.start.state() == State::Judging));
-    CHECK((flight.look() == one.status));
-    const bool hasNext = one.type == kRover || one.wasArmed;
-    CHECK((flight.start.state() == (hasNext ? State::JudgingNext : State::Judging)));
+    flight.flies();
+    CHECK(flight.plays("shows armed auto, current " + string(one.named) + ", looks") == one.ends);
   }
-}
-
-TEST_CASE("behind the last item there is no next one") {
-  Flown flight(Firmware::ArduPilot, kRover, {fly(), fly()});
-  flight.goTo(StartStep::Confirm);
-  flight.heartbeat(true, flight.aircraft.autoMode);
-  flight.current(3);
-  CHECK((flight.look() == Status::OtherItem));
-}
-
-TEST_CASE("an aircraft that was flying its mission before start() must be at the first item itself") {
-  Flown flight(Firmware::ArduPilot, kCopter, {fly(), fly(), fly()});
-  flight.aircraft.isArmed = true;
-  flight.aircraft.mode = flight.aircraft.autoMode;
-  flight.begin();
-  flight.heartbeat();
-  flight.current(2);
-  CHECK((flight.look() == Status::OtherItem));
+  // An aircraft that was flying its mission before start() must be at the first item itself.
+  CHECK(copter().inFlight().plays("begins 0, shows, current 2, looks") == "Confirm, Shown, Judging, OtherItem");
 }
 
 TEST_CASE("where the plan cannot be looked at, only the expected item is right") {
   Flown flight = px4();
-  flight.begin(0, false);
-  flight.goTo(StartStep::Confirm);
-  flight.heartbeat(true, flight.aircraft.autoMode);
-  CHECK((flight.current(1) == Status::OtherItem));
-  Flown tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
-  tag.goTo(StartStep::Confirm);
-  tag.heartbeat(true, tag.aircraft.autoMode);
-  CHECK((tag.current(1) == Status::OtherItem));
-  CHECK((tag.start.state() == State::Shown));
-
-  Flown flying = copter();  // it was asked for no item, and none is known
-  flying.aircraft.isArmed = true;
-  flying.aircraft.mode = flying.aircraft.autoMode;
-  flying.begin(0, false);
-  flying.heartbeat();
-  CHECK((flying.current(1) == Status::Unconfirmed));
+  flight.flies(StartStep::Confirm, "begins unseen");
+  CHECK(flight.plays("shows armed auto, current 1") == "Shown, OtherItem (armed)");
+  Flown tag = at(StartStep::Confirm, Flown(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()}));
+  CHECK(tag.plays("shows armed auto, current 1") == "Shown, OtherItem (armed)");
+  // It was asked for no item, and none is known.
+  CHECK(copter().inFlight().plays("begins unseen, shows, current 1") == "Confirm, Shown, Unconfirmed");
 }
 
 // A refusal, or silence
 
-TEST_CASE("a refusal before anything was armed is the end") {
-  for (StartStep step : {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm}) {
-    Flown flight = copter();
-    flight.goTo(step);
-    flight.sent();
-    CHECK((flight.refused(Status::CommandDenied) == Status::CommandDenied));
-    CHECK((flight.start.arming() == StartArming::Untouched));
-    CHECK((flight.start.step() == step));
+TEST_CASE("a refusal or silence before anything was armed is the end; behind that, it is disarmed") {
+  const struct {
+    StartStep step;
+    const char *answer, *leads;
+  } kRows[] = {
+      {StartStep::ReadyMode, "denied", "mode guided, CommandDenied"},
+      {StartStep::FirstItem, "denied", "first item, CommandDenied"},
+      {StartStep::Arm, "denied", "arm, CommandDenied"},
+      {StartStep::ReadyMode, "silence", "mode guided, NoAnswer"},
+      {StartStep::FirstItem, "silence", "first item, NoAnswer"},
+      {StartStep::Arm, "silence", "arm, Leaving, asks"},
+      {StartStep::Begin, "silence", "start, Leaving, asks"},
+  };
+  for (const auto& row : kRows) {
+    CHECK(at(row.step, copter()).plays("sent, " + std::string(row.answer)) == row.leads);
   }
-  Flown flight = px4();
-  flight.goTo(StartStep::Begin);
-  flight.sent();
-  CHECK((flight.refused() == Status::Transferring));  // its mode may have changed all the same
-  CHECK((flight.start.state() == State::Leaving));
-  CHECK(flight.asks());
-  Flown changed = flight;
-  CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::CommandFailed));
-  CHECK((flight.start.arming() == StartArming::Untouched));
+}
 
-  const uint16_t before = changed.aircraft.mode;
-  CHECK((changed.heartbeat(false, changed.aircraft.autoMode) == Status::Transferring));
-  CHECK((changed.start.state() == State::Restoring));
-  CHECK(changed.start.modeToSet() == before);
-  changed.sent(Message::Mode);
-  Flown refused = changed;
-  CHECK((changed.heartbeat(false, changed.aircraft.autoMode) == Status::Transferring));
-  CHECK((changed.heartbeat(false, before) == Status::CommandFailed));
-  CHECK((refused.refused(Status::CommandDenied) == Status::CommandFailed));
+TEST_CASE("where PX4 refuses to begin, its mode may have changed all the same: it is set back") {
+  Flown flight = at(StartStep::Begin, px4());
+  CHECK(flight.plays("sent, refused") == "start, Leaving, asks");
+  CHECK(Flown(flight).plays("shows disarmed") == "CommandFailed");
+  CHECK(flight.plays("shows disarmed auto, sent") == "Restoring, mode hold");
+  CHECK(Flown(flight).plays("shows auto, shows hold") == "CommandFailed");
+  CHECK(flight.plays("denied") == "CommandFailed");
 }
 
 TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, leaves it in doubt") {
-  Flown repeated = copter();
-  repeated.goTo(StartStep::Arm);
-  repeated.sent();
-  repeated.sending.onTime(0, static_cast<uint16_t>(repeated.aircraft.nowMs + CommandTransfer::kAnswerMs));
-  repeated.sent();
-  CHECK((repeated.refused() == Status::Transferring));
-  CHECK((repeated.start.state() == State::Leaving));
-  CHECK((repeated.heartbeat(false, repeated.aircraft.mode) == Status::CommandFailed));
-  CHECK((repeated.start.arming() == StartArming::Untouched));
-
-  Flown armed = copter();
-  armed.goTo(StartStep::Arm);
-  armed.sent();
+  CHECK(at(StartStep::Arm, copter()).plays("sent, no answer, sent, refused, shows disarmed") ==
+        "arm, due again, asks, arm, Leaving, CommandFailed");
+  Flown armed = at(StartStep::Arm, copter());
+  armed.plays("sent");
   armed.aircraft.isArmed = true;
-  CHECK((armed.refused() == Status::Transferring));
+  CHECK(armed.plays("refused") == "Leaving, asks");
   CHECK((armed.start.arming() == StartArming::Armed));
-  CHECK((armed.heartbeat(true, armed.aircraft.mode) == Status::Transferring));
-  CHECK((armed.start.state() == State::Disarming));
-  CHECK((armed.heartbeat(false, armed.aircraft.mode) == Status::CommandFailed));
-  CHECK((armed.start.arming() == StartArming::Disarmed));
+  CHECK(armed.plays("shows, shows disarmed") == "Disarming, CommandFailed (disarmed)");
 }
 
 TEST_CASE("a copter whose start is refused is disarmed, though a heartbeat shows AUTO, or shows it disarmed first") {
-  Flown flight = copter();
-  flight.goTo(StartStep::Begin);
-  flight.sent();
-  Flown other = flight;
-  CHECK((flight.refused() == Status::Transferring));
-  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
-  CHECK((flight.start.state() == State::Disarming));
+  CHECK(leaving().plays("shows armed auto") == "Disarming");
+  Flown other = at(StartStep::Begin, copter());
+  other.plays("sent");
   other.aircraft.isArmed = false;
-  CHECK((other.refused() == Status::Transferring));
-  CHECK((other.start.state() == State::Leaving));
+  CHECK(other.plays("refused") == "Leaving, asks");
 }
 
 TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal, and not on a copter") {
   Flown flight = rover();
   flight.aircraft.seconds = 65530;
-  flight.goTo(StartStep::AutoMode);
-  const uint16_t began = flight.aircraft.seconds;
+  flight.flies(StartStep::AutoMode);
   for (uint16_t second = 0; second < StartTransfer::kAutoTriesS; ++second) {
-    flight.aircraft.seconds = static_cast<uint16_t>(began + second);
-    flight.sent(Message::Mode);
-    CHECK((flight.refused() == Status::Transferring));
-    CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
-    flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs + StartTransfer::kAutoAgainMs - 1);
-    flight.sending.onTime(0, flight.aircraft.nowMs);
-    CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
-    flight.sending.onTime(0, ++flight.aircraft.nowMs);
+    CHECK(flight.plays("sent, refused, wait 999") == "mode auto");
+    CHECK(flight.plays("wait 1") == "due again");
     Flown silent = flight;
-    silent.sent();
-    CHECK(silent.isRepeated());
-    CHECK(silent.lacksHeartbeat(silent.aircraft.nowMs));
+    CHECK(silent.plays("sent, no answer") == "mode auto, due again, asks");
+    CHECK(silent.sending.lacksHeartbeat(silent.aircraft.nowMs));
+    ++flight.aircraft.seconds;
   }
-  flight.aircraft.seconds = static_cast<uint16_t>(began + StartTransfer::kAutoTriesS);
-  flight.sent(Message::Mode);
-  CHECK((flight.refused() == Status::Transferring));
-  CHECK((flight.start.state() == State::Leaving));
-
-  Flown at = rover();  // other steps are not tried again
-  at.goTo(StartStep::FirstItem);
-  at.sent();
-  CHECK((at.refused() == Status::CommandFailed));
-  CHECK((leaving().start.state() == State::Leaving));
+  CHECK(flight.plays("sent, refused") == "mode auto, Leaving, asks");
+  CHECK(at(StartStep::FirstItem, rover()).plays("sent, refused") == "first item, CommandFailed");  // no other step is
 }
 
 TEST_CASE("after a failure an aircraft that start() has armed is disarmed, once a heartbeat shows that it is armed") {
-  Flown flight = disarming();
-  CHECK(flight.isRepeated());
-  CHECK((flight.accepted() == Status::Transferring));
-  CHECK((flight.heartbeat() == Status::Transferring));
-  CHECK((flight.start.state() == State::Disarming));
-  CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::CommandFailed));
-  CHECK((flight.start.arming() == StartArming::Disarmed));
+  CHECK(disarming().plays("no answer, accepted, shows, shows disarmed") == "due again, asks, CommandFailed (disarmed)");
 }
 
 TEST_CASE("an aircraft that has disarmed by itself, or that somebody else has taken, gets no command any more") {
-  Flown disarmed = leaving();
-  CHECK((disarmed.heartbeat(false, disarmed.aircraft.mode) == Status::CommandFailed));
-  CHECK((disarmed.start.arming() == StartArming::Disarmed));
-  for (Flown flight : {leaving(), disarming()}) {
-    CHECK((flight.heartbeat(true, flight.other) == Status::CommandFailed));
-    CHECK((flight.start.arming() == StartArming::Armed));
-  }
+  CHECK(leaving().plays("shows disarmed") == "CommandFailed (disarmed)");
+  CHECK(leaving().plays("shows rtl") == "CommandFailed (armed)");
+  CHECK(disarming().plays("shows rtl") == "CommandFailed (armed)");
 }
 
 TEST_CASE("PX4 that has begun after all is not disarmed") {
-  Flown flight = px4();
-  flight.goTo(StartStep::Begin);
-  flight.sent();
-  CHECK((flight.silent() == Status::Transferring));
-  CHECK((flight.start.state() == State::Leaving));
-  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::NoAnswer));
-  CHECK((flight.start.arming() == StartArming::Armed));
+  CHECK(at(StartStep::Begin, px4()).plays("sent, silence, shows armed auto") ==
+        "start, Leaving, asks, NoAnswer (armed)");
 }
 
 TEST_CASE("in leaving, silence and a refusal to disarm end with the first failure, the operation's time does not") {
-  for (Flown flight : {leaving(), disarming()}) {
-    CHECK((flight.silent(Status::TookTooLong) == Status::Transferring));
-    CHECK((flight.current(1) == Status::Transferring));
-    Flown other = flight;
-    CHECK((flight.silent(Status::Unconfirmed) == Status::CommandFailed));
-    if (other.start.state() == State::Disarming) CHECK((other.refused(Status::CommandDenied) == Status::CommandFailed));
-  }
-}
-
-TEST_CASE("a step without an answer ends start(), and disarms what it has armed") {
-  for (StartStep step :
-       {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::AutoMode, StartStep::Begin}) {
-    Flown flight = copter();
-    flight.goTo(step);
-    flight.sent();
-    const bool isEnd = step < StartStep::Arm;
-    CHECK((flight.silent() == (isEnd ? Status::NoAnswer : Status::Transferring)));
-    if (!isEnd) CHECK((flight.start.state() == State::Leaving));
-  }
+  CHECK(leaving().plays("too long, current 1, unconfirmed") == "CommandFailed (armed)");
+  CHECK(disarming().plays("too long, current 1, unconfirmed") == "CommandFailed (armed)");
+  CHECK(disarming().plays("too long, current 1, denied") == "CommandFailed (armed)");
 }
 
 TEST_CASE("an autopilot that names another item than the one that was set ends start() with that") {
-  Flown flight = px4();
-  flight.goTo(StartStep::FirstItem);
-  flight.sent();
-  flight.current(2);
-  CHECK((flight.silent() == Status::OtherItem));
+  Flown flight = at(StartStep::FirstItem, px4());
+  CHECK(flight.plays("sent, current 2, silence") == "first item, OtherItem");
   CHECK(flight.start.seen() == 2);
 }
 
 TEST_CASE("without confirmation start() is unconfirmed while the mode is AUTO, and disarms otherwise") {
-  for (Status silence : {Status::NoAnswer, Status::TookTooLong}) {
-    Flown flight = copter();
-    flight.goTo(StartStep::Confirm);
-    flight.sent(Message::AskCurrent);
-    CHECK((flight.refused() == Status::Transferring));
-    Flown shown = flight;
-    CHECK((flight.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
-    CHECK((shown.heartbeat() == Status::Transferring));
-    CHECK((shown.start.state() == State::Shown));
-    CHECK((shown.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
-    Flown other = px4();
-    other.goTo(StartStep::Confirm);
+  const std::string kEnds[][2] = {{"silence", "Unconfirmed"}, {"too long", "TookTooLong"}};
+  for (const auto& end : kEnds) {
+    const Flown flight = at(StartStep::Confirm, copter());
+    CHECK(Flown(flight).plays("sent, refused, " + end[0]) == "ask current, " + end[1] + " (armed)");
+    CHECK(Flown(flight).plays("sent, refused, shows, " + end[0]) == "ask current, Shown, " + end[1] + " (armed)");
+    Flown other = at(StartStep::Confirm, px4());
     other.aircraft.mode = other.number(FlightMode::Hold);
-    CHECK((other.silent(silence) == Status::Transferring));
-    CHECK((other.start.state() == State::Leaving));
-    CHECK(
-        (other.heartbeat(false, other.aircraft.mode) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
+    CHECK(other.plays(end[0] + ", shows disarmed") == "Leaving, " + end[1] + " (disarmed)");
   }
 }
 
@@ -796,191 +585,107 @@ TEST_CASE("without confirmation start() is unconfirmed while the mode is AUTO, a
 TEST_CASE("a mode that start() has not set is somebody else's, in every step") {
   for (StartStep step :
        {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
-    for (bool isSent : {false, true}) {
-      Flown flight = copter();
-      flight.goTo(step);
-      if (isSent) flight.sent();
-      CHECK((flight.heartbeat(flight.aircraft.isArmed, flight.other) == Status::TakenOver));
-    }
+    // An arming that was not sent before somebody else took over has not happened.
+    const bool isArmed = step > StartStep::Arm;
+    CHECK(at(step, copter()).plays("shows rtl") == (isArmed ? "TakenOver (armed)" : "TakenOver"));
+    Flown sent = at(step, copter());
+    sent.plays("sent");
+    CHECK(sent.plays("shows rtl") == (isArmed || step == StartStep::Arm ? "TakenOver (armed)" : "TakenOver"));
   }
 }
 
-TEST_CASE("an arming that was not sent before somebody else took over has not happened") {
-  Flown flight = copter();
-  flight.goTo(StartStep::Arm);
-  CHECK((flight.heartbeat(false, flight.other) == Status::TakenOver));
-  CHECK((flight.start.arming() == StartArming::Untouched));
-  Flown sent = copter();
-  sent.goTo(StartStep::Arm);
-  sent.sent();
-  CHECK((sent.heartbeat(false, sent.other) == Status::TakenOver));
-  CHECK((sent.start.arming() == StartArming::Armed));
-}
-
 TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
-  Flown flight = copter();
-  flight.goTo(StartStep::Arm);
-  flight.sent(Message::Arm);
-  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
-  CHECK((flight.heartbeat(false, flight.other) == Status::Transferring));  // it may still arrive
-  CHECK((flight.start.state() == State::Yielding));
-  CHECK(flight.asks());
-  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 900);
-  CHECK((flight.heartbeat() == Status::Transferring));
+  Flown flight = at(StartStep::Arm, copter());
+  CHECK(flight.plays("sent, soon shows rtl, soon shows") == "arm, Yielding, asks (2 times)");  // it may still arrive
   CHECK_FALSE(flight.sending.isDue());
-  Flown never = flight, refused = flight, silent = flight;
-  CHECK((never.heartbeat() == Status::TakenOver));
-  CHECK((never.start.arming() == StartArming::Untouched));
-  CHECK((refused.refused() == Status::TakenOver));
-  CHECK((refused.start.arming() == StartArming::Untouched));
-  CHECK((silent.silent() == Status::TakenOver));
-  CHECK((silent.start.arming() == StartArming::Armed));  // it is not known
-
-  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
-  CHECK_FALSE(flight.lacksHeartbeat(flight.aircraft.nowMs));  // at once
-  flight.sent(Message::Disarm);
-  CHECK((flight.accepted() == Status::Transferring));
-  CHECK((flight.heartbeat() == Status::Transferring));
-  Flown inTheAir = flight;
-  CHECK((inTheAir.refused() == Status::TakenOver));
-  CHECK((inTheAir.start.arming() == StartArming::Armed));
-  CHECK((flight.heartbeat(false, flight.other) == Status::TakenOver));
-  CHECK((flight.start.arming() == StartArming::Disarmed));
+  CHECK(Flown(flight).plays("shows") == "TakenOver");
+  CHECK(Flown(flight).plays("refused") == "TakenOver");
+  CHECK(Flown(flight).plays("silence") == "TakenOver (armed)");  // it is not known
+  flight.plays("shows armed");
+  CHECK_FALSE(flight.sending.lacksHeartbeat(flight.aircraft.nowMs));  // at once
+  CHECK(flight.plays("sent, accepted, shows") == "disarm, asks");
+  CHECK(Flown(flight).plays("refused") == "TakenOver (armed)");
+  CHECK(flight.plays("shows disarmed") == "TakenOver (disarmed)");
 }
 
 TEST_CASE("an aircraft that is armed when somebody sets another mode is his") {
-  Flown flight = copter();
-  flight.goTo(StartStep::Arm);
-  flight.sent(Message::Arm);
-  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
-  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
-  CHECK((flight.start.state() == State::Steps));
-  CHECK((flight.heartbeat(true, flight.other) == Status::TakenOver));
-  CHECK((flight.start.arming() == StartArming::Armed));
+  CHECK(at(StartStep::Arm, copter()).plays("sent, soon shows armed rtl, shows") == "arm, asks, TakenOver (armed)");
 }
 
 TEST_CASE("a mode that an order undoes is set again, and start() ends when a heartbeat shows it, or another one") {
   for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
-    Flown flight = rover();
-    flight.goTo(step);
-    const bool isArmed = step == StartStep::AutoMode;
-    const uint16_t wanted = flight.start.modeToSet();
-    flight.sent(Message::Mode);
-    flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
-    CHECK((flight.heartbeat(isArmed, flight.other) == Status::Transferring));  // the order may still arrive
-    CHECK(flight.asks());
-    Flown stays = flight;
-    CHECK((stays.heartbeat(isArmed, stays.other) == Status::TakenOver));
-    CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
-    CHECK((flight.start.state() == State::Restoring));
-    CHECK(flight.start.modeToSet() == flight.other);
-    CHECK_FALSE(flight.lacksHeartbeat(flight.aircraft.nowMs));  // at once
-    flight.sent(Message::Mode);
-    CHECK((flight.accepted() == Status::Transferring));
-    CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
-    Flown refused = flight, silent = flight, another = flight;
-    CHECK((flight.heartbeat(isArmed, flight.other) == Status::TakenOver));
-    CHECK((another.heartbeat(isArmed, another.number(FlightMode::Hold)) == Status::TakenOver));
-    CHECK((refused.refused() == Status::Overruled));
-    CHECK((silent.silent() == Status::Overruled));
+    const std::string end = step == StartStep::AutoMode ? " (armed)" : "";
+    Flown flight = at(step, rover());
+    flight.plays("sent");
+    CHECK(flight.plays("soon shows rtl") == "asks");  // the order may still arrive
+    CHECK(Flown(flight).plays("shows") == "TakenOver" + end);
+    CHECK(flight.plays("shows wanted") == "Restoring");
+    CHECK_FALSE(flight.sending.lacksHeartbeat(flight.aircraft.nowMs));  // at once
+    CHECK(flight.plays("sent, accepted") == "mode rtl, asks");
+    CHECK(flight.plays(step == StartStep::AutoMode ? "shows auto" : "shows manual") == "");
+    CHECK(Flown(flight).plays("shows rtl") == "TakenOver" + end);
+    CHECK(Flown(flight).plays("shows hold") == "TakenOver" + end);
+    CHECK(Flown(flight).plays("refused") == "Overruled" + end);
+    CHECK(Flown(flight).plays("silence") == "Overruled" + end);
   }
 }
 
 TEST_CASE("a mode that a pilot sets while his first one is set again is set again, too") {
-  Flown flight = rover();
-  flight.goTo(StartStep::AutoMode);
-  const uint16_t second = flight.number(FlightMode::Hold);
-  for (uint16_t mode : {flight.other, second}) {
-    const uint16_t wanted = flight.start.modeToSet();
-    flight.sent(Message::Mode);
-    flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
-    CHECK((flight.heartbeat(true, mode) == Status::Transferring));
-    CHECK((flight.heartbeat(true, wanted) == Status::Transferring));
-    CHECK(flight.start.modeToSet() == mode);
-  }
-  CHECK((flight.heartbeat(true, second) == Status::TakenOver));
+  Flown flight = at(StartStep::AutoMode, rover());
+  CHECK(flight.plays("sent, soon shows rtl, shows auto") == "mode auto, asks, Restoring");
+  CHECK(flight.plays("sent, soon shows hold, shows rtl, sent") == "mode rtl, asks, mode hold");
+  CHECK(flight.plays("shows hold") == "TakenOver (armed)");
 }
 
 TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody else's too") {
-  Flown flight = rover();
-  flight.goTo(StartStep::AutoMode);
-  const uint16_t before = flight.aircraft.mode;
-  CHECK((flight.heartbeat(true, before) == Status::Transferring));
-  flight.goTo(StartStep::Confirm);
-  CHECK((flight.heartbeat(true, before) == Status::TakenOver));
-
-  Flown other = copter();  // AUTO has not been seen yet
-  other.goTo(StartStep::Begin);
-  other.sent();
-  CHECK((other.heartbeat(true, other.aircraft.mode) == Status::Transferring));
+  Flown flight = at(StartStep::AutoMode, rover());
+  CHECK(flight.plays("shows manual") == "");
+  flight.flies(StartStep::Confirm);
+  CHECK(flight.plays("shows manual") == "TakenOver (armed)");
+  CHECK(at(StartStep::Begin, copter()).plays("sent, shows") == "start");  // AUTO has not been seen yet
 }
 
 TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, behind what asked for them") {
   for (StartStep step : {StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
     const bool asks = step == StartStep::FirstItem || step == StartStep::Confirm;
-    Flown flight = copter();
-    flight.goTo(step);
-    const auto namesOther = [](Flown& one) { return one.start.onOtherNamed(one.aircraft, one.sending); };
-    if (asks) {
-      // What comes before the question may be older than our plan, however often.
-      CHECK((namesOther(flight) == Status::Transferring));
-      CHECK((namesOther(flight) == Status::Transferring));
-    }
-    flight.sent();
-    CHECK((namesOther(flight) == Status::Transferring));
-    // Only a question is sent again at once.
+    Flown flight = at(step, copter());
+    // What comes before the question may be older than our plan, however often.
+    if (asks) CHECK(flight.plays("other plan, other plan") == "");
+    flight.plays("sent, other plan");
+    // Only a question is sent again.
     CHECK((flight.sending.state() == CommandTransfer::State::Due) == asks);
-    Flown cleared = flight;
-    CHECK_FALSE((namesOther(flight) == Status::Transferring && !flight.start.isLeaving()));
     // One that names ours in between takes the doubt away.
-    cleared.current(kNoItem - 1, false);
-    CHECK((namesOther(cleared) == Status::Transferring));
-    CHECK_FALSE(cleared.start.isLeaving());
+    CHECK(Flown(flight).plays("idle at 65534, other plan") == "");
+    CHECK(flight.plays("other plan") == (step == StartStep::FirstItem ? "Unproven" : "Leaving, asks"));
   }
 }
 
 TEST_CASE("of an autopilot whose modes are not known no mode is another one") {
   Flown flight(Firmware::Other, kCopter);
   CHECK(flight.aircraft.autoMode == kNoMode);
-  flight.goTo(StartStep::Confirm);
-  CHECK((flight.heartbeat(true, 77) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Confirm, State::Shown));
-  CHECK((flight.current(0) == Status::Done));
+  flight.flies(StartStep::Confirm);
+  CHECK(flight.plays("shows armed 77, current 0") == "Shown, Done (armed)");
 }
 
 TEST_CASE("behind its start() an aircraft that flies another plan is disarmed if start() has armed it, and else left") {
-  struct Case {
-    StartArming arming;
-    bool isArmed, isInAuto;
-    bool isDisarmed;
+  const struct {
+    const char *script, *leads;
+  } kCases[] = {
+      {"shows", "Disarming"},
+      {"shows, sent, shows disarmed", "Disarming, disarm, Unproven (disarmed)"},
+      {"shows rtl", "Unproven (armed)"},  // somebody has it
+      {"shows disarmed", "Unproven (disarmed)"},
   };
-  const Case cases[] = {
-      {StartArming::Armed, true, true, true},
-      {StartArming::Armed, true, false, false},  // somebody has it
-      {StartArming::Armed, false, true, false},
-      {StartArming::Untouched, true, true, false},
-  };
-  for (const Case& one : cases) {
-    CAPTURE(one.isArmed);
-    CAPTURE(one.isInAuto);
-    Flown flight = copter();
-    flight.aircraft.isArmed = true;
-    flight.aircraft.mode = flight.aircraft.autoMode;
-    const Status left = flight.start.leaveFlying(one.arming, flight.aircraft, flight.sending);
-    const bool isOurs = one.arming == StartArming::Armed;
-    CHECK((left == (isOurs ? Status::Transferring : Status::Unproven)));
-    CHECK((flight.start.arming() == one.arming));
+  for (const auto& one : kCases) {
+    Flown flight = copter().inFlight();
+    CHECK((flight.start.leaveFlying(StartArming::Armed, flight.aircraft, flight.sending) == Status::Transferring));
     CHECK((flight.start.step() == StartStep::Confirm));
-    if (!isOurs) continue;
     CHECK(flight.start.isLeaving());
     CHECK(flight.asks());
-    const Status shown = flight.heartbeat(one.isArmed, one.isInAuto ? flight.aircraft.autoMode : flight.other);
-    CHECK((flight.start.state() == State::Disarming) == one.isDisarmed);
-    CHECK((shown == (one.isDisarmed ? Status::Transferring : Status::Unproven)));
-    if (!one.isArmed) CHECK((flight.start.arming() == StartArming::Disarmed));
-    if (!one.isDisarmed) continue;
-    flight.sent(Message::Disarm);
-    CHECK((flight.heartbeat(false, flight.aircraft.autoMode) == Status::Unproven));
-    CHECK((flight.start.arming() == StartArming::Disarmed));
+    CHECK(flight.plays(one.script) == one.leads);
   }
+  Flown left = copter().inFlight();
+  CHECK((left.start.leaveFlying(StartArming::Untouched, left.aircraft, left.sending) == Status::Unproven));
+  CHECK((left.start.arming() == StartArming::Untouched));
+  CHECK((left.start.step() == StartStep::Confirm));
 }
