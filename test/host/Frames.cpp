@@ -113,21 +113,29 @@ std::vector<Found> wanted(const std::vector<Found>& found) {
   return kept;
 }
 
+std::string textOf(const std::vector<Found>& found) {
+  std::string text;
+  for (const Found& frame : found) {
+    if (!text.empty()) text += ", ";
+    const Bytes payload = frame.payload + Bytes(8, 0);
+    if (frame.result != FrameParser::Result::Wanted) {
+      text += "other";
+    } else if (frame.messageId == 0) {
+      text += "heartbeat";
+    } else if (frame.messageId == 40 || frame.messageId == 51) {
+      text += "request " + std::to_string(payload[0] | payload[1] << 8);
+    } else if (frame.messageId == 47) {
+      text += "ack " + std::to_string(payload[2]);
+    } else {
+      text += "message " + std::to_string(frame.messageId);
+    }
+  }
+  return text;
+}
+
 std::string wantedIn(const Bytes& bytes) {
   ParserUnderTest parser;
   std::vector<Found> found = parser.take(bytes);
   for (const Found& frame : parser.silence()) found.push_back(frame);
-  std::string text;
-  for (const Found& frame : wanted(found)) {
-    if (!text.empty()) text += ", ";
-    const Bytes payload = frame.payload + Bytes(8, 0);
-    switch (frame.messageId) {
-      case 0: text += "heartbeat"; break;
-      case 40:
-      case 51: text += "request " + std::to_string(payload[0] | payload[1] << 8); break;
-      case 47: text += "ack " + std::to_string(payload[2]); break;
-      default: text += "message " + std::to_string(frame.messageId);
-    }
-  }
-  return text;
+  return textOf(wanted(found));
 }

@@ -66,5 +66,7 @@ class ParserUnderTest {
 
 // The wanted ones.
 std::vector<Found> wanted(const std::vector<Found>& found);
-// The frames that a fresh parser finds, and after them in silence; "request 3, ack 0" and the like for the wanted ones.
+// "request 3, ack 0" and the like for the wanted ones, "other" for any other.
+std::string textOf(const std::vector<Found>& found);
+// The wanted frames that a fresh parser finds, and after them in silence.
 std::string wantedIn(const Bytes& bytes);
