@@ -7,134 +7,147 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "Script.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr uint8_t kAccepted = MAV_RESULT_ACCEPTED, kBusy = MAV_RESULT_TEMPORARILY_REJECTED, kDenied = MAV_RESULT_DENIED,
-                  kInProgress = MAV_RESULT_IN_PROGRESS, kNone = 255;
 const PausableMessage kThree[] = {{30, 100}, {24, 0}, {33, 65535}};
 
-struct Line : ClientOnLine {
-  std::string asked;     // each command that has left: the message, its interval [us], and which attempt it is
-  std::string times;     // and when [ms]
-  uint32_t fromMs = 0;   // since when
-  uint8_t says = kNone;  // how each command is answered, `delayMs` behind it
-  uint32_t delayMs = 10;
-  bool requests = false;  // the peer requests the items of an upload, one after the other
-  uint32_t everyMs = 1000;
+struct Desk : ClientOnLine {
+  TelemetryPause pause;
 
-  explicit Line(uint8_t autopilot) : ClientOnLine(autopilot) {
-    for (MissionItem& item : plan_) item = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
+  explicit Desk(uint8_t autopilot = kArduPilot) : ClientOnLine(autopilot), pause(client) { fillPlan(); }
+  template <uint8_t N>
+  explicit Desk(const PausableMessage (&messages)[N]) : ClientOnLine(kArduPilot), pause(client, messages) {
+    fillPlan();
   }
 
+  // The commands that leave, each as "55 30:-1/1": 55 ms behind the one before or the beginning of the script, message
+  // 30, its interval in us, and which repeat it is; then "paused" or "idle". When this happens:
+  // wait N: N ms pass; answers X, N ms: each command is answered so from now on
+  // accepted, for others, to another: such an answer comes, to that command, for another component, to another command
+  // upload: the client begins one, and an item is requested each second; end: it ends; own: the client's own command
+  std::string plays(const std::string& script) {
+    said_ = Transcript();
+    spokeMs_ = nowMs();
+    for (const Event& event : eventsOf(script)) happens(event);
+    const std::string said = said_.text(), state = pause.isPaused() ? "paused" : pause.isIdle() ? "idle" : "";
+    return said + (said.empty() || state.empty() ? "" : ", ") + state;
+  }
+  // The same without the times.
+  std::string asks(const std::string& script) {
+    hasTimes_ = false;
+    const std::string said = plays(script);
+    hasTimes_ = true;
+    return said;
+  }
+  void pass(uint32_t ms) {
+    for (; ms != 0; --ms) {
+      pause.update();
+      if (dueMs_ != 0 && nowMs() == dueMs_) answer(resultOf(answers_));
+      if (isAsked_ && nowMs() % askEachMs == 500) hear(requestParts(item_++));
+      if (isFollowed && nowMs() % 500 == 250) hear(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28));
+      const size_t before = sent.size();
+      run(1);
+      for (size_t i = before; i < sent.size(); ++i) note(sent[i]);
+    }
+  }
+
+  bool isFollowed = false;  // whether the peer tells its current item
+  uint32_t askEachMs = 1000;
+
+ private:
+  MissionItem plan_[50];
+  Transcript said_;
+  uint32_t spokeMs_ = 0, dueMs_ = 0, delayMs_ = 10;
+  bool hasTimes_ = true, isAsked_ = false;
+  uint16_t item_ = 0;
+  std::string answers_ = "nothing";
+
+  void fillPlan() {
+    for (MissionItem& item : plan_) item = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
+  }
+  static uint8_t resultOf(const std::string& word) {
+    if (word == "accepted") return MAV_RESULT_ACCEPTED;
+    if (word == "busy") return MAV_RESULT_TEMPORARILY_REJECTED;
+    if (word == "denied") return MAV_RESULT_DENIED;
+    REQUIRE(word == "in progress");
+    return MAV_RESULT_IN_PROGRESS;
+  }
   void answer(uint8_t result, uint16_t command = MAV_CMD_SET_MESSAGE_INTERVAL, uint8_t component = 191) {
     const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
     hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, result, 0, 0, 0, 0, 0, 1, component},
                     MAVLINK_MSG_ID_COMMAND_ACK_CRC));
   }
-  void forget() {
-    asked.clear();
-    times.clear();
-    fromMs = nowMs();
-  }
-  void beginUpload() {
-    requests = true;
-    item_ = 0;
-    client.uploadWithoutReadback(inRam(plan_));
-  }
-  void endUpload() {
-    requests = false;
-    client.cancel();
-  }
-
- protected:
-  void turn() {
-    if (dueMs_ != 0 && nowMs() == dueMs_) answer(says);
-    if (requests && nowMs() % everyMs == 500) hear(requestParts(item_++));
-    const size_t before = sent.size();
-    run(1);
-    for (size_t i = before; i < sent.size(); ++i) note(sent[i]);
+  void happens(const Event& event) {
+    if (event.is("wait")) {
+      pass(event.number);
+    } else if (event.what.compare(0, 8, "answers ") == 0) {
+      answers_ = event.what.substr(8);
+      if (event.number != 0) delayMs_ = event.number;
+    } else if (event.is("to another")) {
+      answer(MAV_RESULT_ACCEPTED, MAV_CMD_REQUEST_MESSAGE);
+    } else if (event.is("for others")) {
+      answer(MAV_RESULT_ACCEPTED, MAV_CMD_SET_MESSAGE_INTERVAL, 192);
+    } else if (event.is("upload")) {
+      isAsked_ = true;
+      item_ = 0;
+      client.uploadWithoutReadback(inRam(plan_));
+    } else if (event.is("end")) {
+      isAsked_ = false;
+      client.cancel();
+    } else if (event.is("own")) {
+      client.setMessageInterval(99, 250000);
+    } else {
+      answer(resultOf(event.what));
+    }
   }
   void note(const SentFrame& frame) {
     mavlink_command_long_t command;
     memcpy(&command, frame.payload.data(), sizeof(command));
     if (frame.messageId != MAVLINK_MSG_ID_COMMAND_LONG || command.command != MAV_CMD_SET_MESSAGE_INTERVAL) return;
     const long id = static_cast<long>(command.param1), us = static_cast<long>(command.param2);
-    asked += (asked.empty() ? "" : " ") + std::to_string(id) + ":" + std::to_string(us);
+    std::string asked = std::to_string(id) + ":" + std::to_string(us);
     if (command.confirmation != 0) asked += "/" + std::to_string(command.confirmation);
-    times += (times.empty() ? "" : " ") + std::to_string(frame.atMs - fromMs);
-    if (says != kNone) dueMs_ = nowMs() + delayMs;
-  }
-
- private:
-  MissionItem plan_[50];
-  uint16_t item_ = 0;
-  uint32_t dueMs_ = 0;
-};
-
-struct Desk : Line {
-  TelemetryPause pause;
-
-  explicit Desk(uint8_t autopilot = kArduPilot) : Line(autopilot), pause(client) {}
-  template <uint8_t N>
-  explicit Desk(const PausableMessage (&messages)[N]) : Line(kArduPilot), pause(client, messages) {}
-
-  void pass(uint32_t ms) {
-    for (; ms != 0; --ms) {
-      pause.update();
-      turn();
-    }
+    said_.note(asked, hasTimes_ ? frame.atMs - spokeMs_ : 0);
+    spokeMs_ = frame.atMs;
+    if (answers_ != "nothing") dueMs_ = nowMs() + delayMs_;
   }
 };
 
-// One that has restored what there was to restore, and is asked by the peer for an item.
+// One that has restored what there was to restore.
 struct Quiet : Desk {
-  Quiet() : Desk(kThree) {
-    says = kAccepted;
-    pass(3000);
-    REQUIRE(pause.isIdle());
-    forget();
-  }
+  Quiet() : Desk(kThree) { REQUIRE(asks("answers accepted, wait 3000") == "30:100000, 24:0, 33:65535000, idle"); }
 };
+
+// Messages 300 and so on, each 3 ms or switched off.
+std::string of32(const char* interval, const char* state) {
+  std::string text;
+  for (int i = 0; i < 32; ++i) text += std::to_string(300 + i) + interval + ", ";
+  return text + state;
+}
 
 }  // namespace
 
 TEST_CASE("every interval is restored once when an autopilot is heard, each behind the answer to the one before") {
   Desk desk(kThree);
   desk.beats = false;
-  desk.pass(3000);
-  CHECK(desk.asked.empty());
-  CHECK_FALSE(desk.pause.isIdle());
+  CHECK(desk.plays("wait 3000") == "");
   desk.beats = true;
-  desk.says = kAccepted;
-  desk.forget();
-  desk.pass(5000);
-  CHECK(desk.asked == "30:100000 24:0 33:65535000");
-  CHECK(desk.times == "2 14 26");
-  CHECK(desk.pause.isIdle());
-  CHECK_FALSE(desk.pause.isPaused());
+  CHECK(desk.plays("answers accepted, wait 5000") == "2 30:100000, 12 24:0, 12 33:65535000, idle");
 }
 
 TEST_CASE("without a list of the sketch's own it is ArduPilot's, or PX4's, which is that of others, too") {
-  const struct {
-    uint8_t autopilot;
-    const char* asked;
-  } kLists[] = {
-      {ClientOnLine::kArduPilot,
-       "65:0 24:0 147:0 1:0 27:0 163:0 30:0 33:0 178:0 116:0 62:0 129:0 193:0 136:0 241:0 74:0 29:0 137:0 36:0 32:0"},
-      {ClientOnLine::kPx4, "30:0 31:0 24:0 33:0 74:0 85:0 83:0 12901:0 1:0 36:0 141:0 32:0 12904:0 8:0 242:0"},
-      {ClientOnLine::kOther, "30:0 31:0 24:0 33:0 74:0 85:0 83:0 12901:0 1:0 36:0 141:0 32:0 12904:0 8:0 242:0"},
-  };
-  for (const auto& list : kLists) {
-    Desk desk(list.autopilot);
-    desk.says = kAccepted;
-    desk.pass(5000);
-    CHECK(desk.asked == list.asked);
-    CHECK(desk.pause.isIdle());
-  }
+  const char* const kPx4s =
+      "30:0, 31:0, 24:0, 33:0, 74:0, 85:0, 83:0, 12901:0, 1:0, 36:0, 141:0, 32:0, 12904:0, 8:0, 242:0, idle";
+  CHECK(Desk(ClientOnLine::kArduPilot).asks("answers accepted, wait 5000") ==
+        "65:0, 24:0, 147:0, 1:0, 27:0, 163:0, 30:0, 33:0, 178:0, 116:0, 62:0, 129:0, 193:0, 136:0, 241:0, 74:0, 29:0, "
+        "137:0, 36:0, 32:0, idle");
+  CHECK(Desk(ClientOnLine::kPx4).asks("answers accepted, wait 5000") == kPx4s);
+  CHECK(Desk(ClientOnLine::kOther).asks("answers accepted, wait 5000") == kPx4s);
 }
 
 TEST_CASE("messages that a transfer or a command needs are never switched off, nor on") {
@@ -143,293 +156,154 @@ TEST_CASE("messages that a transfer or a command needs are never switched off, n
                                      {45, 1}, {46, 1}, {47, 1}, {37, 1}, {36, 2}, {48, 2},  {50, 2},
                                      {52, 2}, {72, 2}, {74, 2}, {78, 2}, {1, 2},  {252, 2}, {254, 2}};
   Desk desk(kNeeded);
-  desk.says = kAccepted;
-  desk.pass(3000);
-  CHECK(desk.asked == "36:2000 48:2000 50:2000 52:2000 72:2000 74:2000 78:2000 1:2000 252:2000 254:2000");
-  CHECK(desk.pause.isIdle());
-  desk.forget();
-  desk.beginUpload();
-  desk.pass(3000);
-  CHECK(desk.asked == "36:-1 48:-1 50:-1 52:-1 72:-1 74:-1 78:-1 1:-1 252:-1 254:-1");
-  CHECK(desk.pause.isPaused());
+  CHECK(desk.asks("answers accepted, wait 3000") ==
+        "36:2000, 48:2000, 50:2000, 52:2000, 72:2000, 74:2000, 78:2000, 1:2000, 252:2000, 254:2000, idle");
+  CHECK(desk.asks("upload, wait 3000") ==
+        "36:-1, 48:-1, 50:-1, 52:-1, 72:-1, 74:-1, 78:-1, 1:-1, 252:-1, 254:-1, paused");
   const PausableMessage kAllNeeded[] = {{0, 1}, {47, 1}};
-  Desk none(kAllNeeded);
-  none.pass(3000);
-  CHECK(none.asked.empty());
-  CHECK(none.pause.isIdle());
+  CHECK(Desk(kAllNeeded).plays("wait 3000") == "idle");
 }
 
 TEST_CASE("a list may have 32 messages") {
   PausableMessage messages[32];
-  std::string on, off;
-  for (uint8_t i = 0; i < 32; ++i) {
-    messages[i] = PausableMessage{static_cast<uint16_t>(300 + i), 3};
-    on += (i == 0 ? "" : " ") + std::to_string(300 + i) + ":3000";
-    off += (i == 0 ? "" : " ") + std::to_string(300 + i) + ":-1";
-  }
+  for (uint8_t i = 0; i < 32; ++i) messages[i] = PausableMessage{static_cast<uint16_t>(300 + i), 3};
   Desk desk(messages);
-  desk.says = kAccepted;
-  desk.pass(3000);
-  CHECK(desk.asked == on);
-  CHECK(desk.pause.isIdle());
-  desk.forget();
-  desk.beginUpload();
-  desk.pass(3000);
-  CHECK(desk.asked == off);
-  CHECK(desk.pause.isPaused());
-  desk.forget();
-  desk.endUpload();
-  desk.pass(3000);
-  CHECK(desk.asked == on);
+  CHECK(desk.asks("answers accepted, wait 3000") == of32(":3000", "idle"));
+  CHECK(desk.asks("upload, wait 3000") == of32(":-1", "paused"));
+  CHECK(desk.asks("end, wait 3000") == of32(":3000", "idle"));
 }
 
 TEST_CASE("while the items of a plan are transferred the messages are off, and then they are on again") {
   Quiet desk;
-  desk.beginUpload();
-  desk.pass(58);
-  CHECK_FALSE(desk.pause.isPaused());
+  CHECK(desk.asks("upload, wait 58") == "30:-1");
+  CHECK(desk.asks("wait 3000") == "24:-1, 33:-1, paused");
   CHECK_FALSE(desk.pause.isIdle());
-  desk.pass(3000);
-  CHECK(desk.asked == "30:-1 24:-1 33:-1");
-  CHECK(desk.pause.isPaused());
-  CHECK_FALSE(desk.pause.isIdle());
-  desk.forget();
-  desk.endUpload();
-  desk.pass(2);
-  CHECK_FALSE(desk.pause.isPaused());
-  desk.pass(5000);
-  CHECK(desk.asked == "30:100000 24:0 33:65535000");
-  CHECK(desk.pause.isIdle());
+  CHECK(desk.asks("end, wait 2") == "30:100000");
+  CHECK(desk.asks("wait 5000") == "24:0, 33:65535000, idle");
 }
 
 TEST_CASE("what has no items is no transfer: a command, or the clearing of a plan") {
   Quiet desk;
   desk.client.arm();
-  desk.pass(3000);
+  CHECK(desk.plays("wait 3000") == "idle");
   REQUIRE((desk.client.status() == Status::Transferring));
   desk.client.cancel();
   desk.pass(2000);
   desk.client.clear();
-  desk.pass(3000);
+  CHECK(desk.plays("wait 3000") == "idle");
   REQUIRE((desk.client.status() == Status::Transferring));
-  CHECK(desk.asked.empty());
-  CHECK(desk.pause.isIdle());
-  CHECK_FALSE(desk.pause.isPaused());
 }
 
 TEST_CASE("a transfer that ends early restores what was switched off so far, and nothing else") {
   Quiet desk;
-  desk.delayMs = 1000;
-  desk.beginUpload();
-  desk.pass(1500);
-  CHECK(desk.asked == "30:-1 24:-1");
-  desk.endUpload();
-  desk.pass(10000);
-  CHECK(desk.asked == "30:-1 24:-1 30:100000 24:0");
-  CHECK(desk.pause.isIdle());
+  CHECK(desk.asks("answers accepted 1000, upload, wait 1500") == "30:-1, 24:-1");
+  CHECK(desk.asks("end, wait 10000") == "30:100000, 24:0, idle");
 }
 
 TEST_CASE("a transfer that begins while intervals are restored switches all messages off") {
   Desk desk(kThree);
-  desk.says = kAccepted;
-  desk.delayMs = 1000;
-  desk.pass(1500);
-  CHECK(desk.asked == "30:100000 24:0");
-  desk.beginUpload();
-  desk.pass(5000);
-  CHECK(desk.asked == "30:100000 24:0 30:-1 24:-1 33:-1");
-  desk.endUpload();
-  desk.pass(5000);
-  CHECK(desk.asked == "30:100000 24:0 30:-1 24:-1 33:-1 30:100000 24:0 33:65535000");
+  CHECK(desk.asks("answers accepted 1000, wait 1500") == "30:100000, 24:0");
+  CHECK(desk.asks("upload, wait 5000") == "30:-1, 24:-1, 33:-1, paused");
+  CHECK(desk.asks("end, wait 5000") == "30:100000, 24:0, 33:65535000, idle");
 }
 
 TEST_CASE("a command without an answer is repeated every 1.5 s, 5 times, before the next message's") {
   Quiet desk;
-  desk.says = kNone;
-  desk.beginUpload();
-  desk.pass(9000);
-  CHECK(desk.asked == "30:-1 30:-1/1 30:-1/2 30:-1/3 30:-1/4 24:-1");
-  CHECK(desk.times == "55 1555 3055 4555 6055 7555");
-  CHECK_FALSE(desk.pause.isPaused());
-  desk.pass(20000);
-  CHECK(desk.pause.isPaused());  // nobody has said that they are off; no more can be done
+  CHECK(desk.plays("answers nothing, upload, wait 9000") ==
+        "55 30:-1, 1500 30:-1/1, 1500 30:-1/2, 1500 30:-1/3, 1500 30:-1/4, 1500 24:-1");
+  // Nobody has said that they are off; no more can be done.
+  CHECK(desk.asks("wait 20000") ==
+        "24:-1/1, 24:-1/2, 24:-1/3, 24:-1/4, 33:-1, 33:-1/1, 33:-1/2, 33:-1/3, 33:-1/4, paused");
 }
 
 TEST_CASE("an interval is restored until that is confirmed, one message behind the other, again and again") {
   Desk desk(kThree);
-  desk.pass(3 * 7500 + 1600);
-  CHECK(desk.asked ==
-        "30:100000 30:100000/1 30:100000/2 30:100000/3 30:100000/4 24:0 24:0/1 24:0/2 24:0/3 24:0/4 "
-        "33:65535000 33:65535000/1 33:65535000/2 33:65535000/3 33:65535000/4 30:100000 30:100000/1");
-  CHECK_FALSE(desk.pause.isIdle());
-  desk.forget();
-  desk.answer(kAccepted);
-  desk.pass(1490);
-  CHECK(desk.asked.empty());  // the first attempt may be answered as well
-  desk.pass(100);
-  CHECK(desk.asked == "24:0");
-  desk.says = kAccepted;
-  desk.answer(kAccepted);
-  desk.pass(3000);
-  CHECK(desk.asked == "24:0 33:65535000");
-  CHECK(desk.pause.isIdle());
+  CHECK(desk.asks("wait 24100") ==
+        "30:100000, 30:100000/1, 30:100000/2, 30:100000/3, 30:100000/4, 24:0, 24:0/1, 24:0/2, 24:0/3, 24:0/4, "
+        "33:65535000, 33:65535000/1, 33:65535000/2, 33:65535000/3, 33:65535000/4, 30:100000, 30:100000/1");
+  CHECK(desk.asks("accepted, wait 1490") == "");  // the first attempt may be answered as well
+  CHECK(desk.asks("wait 100") == "24:0");
+  CHECK(desk.asks("answers accepted, accepted, wait 3000") == "33:65535000, idle");
 }
 
 TEST_CASE("late answers do not confirm another message's command") {
   Desk desk(kThree);
-  desk.pass(2000);
-  REQUIRE(desk.asked == "30:100000 30:100000/1");
-  desk.forget();
-  desk.answer(kAccepted);
-  desk.pass(700);
-  desk.answer(kAccepted);  // the second one of the two
-  desk.pass(700);
-  CHECK(desk.asked.empty());
-  desk.pass(200);
-  CHECK(desk.asked == "24:0");
-  CHECK(desk.times == "1502");
-  desk.pass(10000);
-  CHECK(desk.asked.substr(0, 31) == "24:0 24:0/1 24:0/2 24:0/3 24:0/");
+  REQUIRE(desk.asks("wait 2000") == "30:100000, 30:100000/1");
+  // The second answer is that of the two.
+  CHECK(desk.plays("accepted, wait 700, accepted, wait 900") == "1502 24:0");
+  CHECK(desk.asks("wait 10000") == "24:0/1, 24:0/2, 24:0/3, 24:0/4, 33:65535000, 33:65535000/1");
 }
 
 TEST_CASE("a refusal to restore ends it: the autopilot has no such message. One to switch off does, too") {
   Desk desk(kThree);
-  desk.says = kDenied;
-  desk.pass(3000);
-  CHECK(desk.asked == "30:100000 24:0 33:65535000");
-  CHECK(desk.pause.isIdle());
-  desk.forget();
-  desk.beginUpload();
-  desk.pass(3000);
-  CHECK(desk.asked == "30:-1 24:-1 33:-1");
-  CHECK(desk.pause.isPaused());
+  CHECK(desk.asks("answers denied, wait 3000") == "30:100000, 24:0, 33:65535000, idle");
+  CHECK(desk.asks("upload, wait 3000") == "30:-1, 24:-1, 33:-1, paused");
 }
 
 TEST_CASE("an autopilot that is busy is asked again when 1.5 s have passed since the command") {
-  Desk desk(kThree);
-  desk.says = kBusy;
-  desk.pass(1000 - desk.nowMs() % 1000 + 4000);
-  CHECK(desk.asked.substr(0, 32) == "30:100000 30:100000/1 30:100000/");
-  CHECK(desk.times.size() > 10);
-  const size_t first = std::stoul(desk.times), second = std::stoul(desk.times.substr(desk.times.find(' ')));
-  CHECK(second - first == 1500);
+  CHECK(Desk(kThree).plays("answers busy, wait 4000") == "2 30:100000, 1500 30:100000/1, 1500 30:100000/2");
 }
 
 TEST_CASE("IN_PROGRESS gives the autopilot 1.5 s more, and no answer of its own") {
   Quiet desk;
-  desk.says = kInProgress;
-  desk.delayMs = 1000;
-  desk.beginUpload();
-  desk.pass(2400);
-  CHECK(desk.asked == "30:-1");
-  desk.pass(200);
-  CHECK(desk.asked == "30:-1 30:-1/1");
-  CHECK(desk.times == "55 2557");
-  desk.says = kAccepted;
-  desk.pass(10000);
-  CHECK(desk.pause.isPaused());
+  CHECK(desk.plays("answers in progress 1000, upload, wait 2600") == "55 30:-1, 2502 30:-1/1");
+  CHECK(desk.asks("answers accepted, wait 10000") == "24:-1, 33:-1, paused");
 }
 
 TEST_CASE("answers for others, or to other commands, are none") {
   Quiet desk;
-  desk.says = kNone;
-  desk.beginUpload();
-  desk.pass(100);
-  desk.answer(kAccepted, MAV_CMD_REQUEST_MESSAGE);
-  desk.answer(kAccepted, MAV_CMD_SET_MESSAGE_INTERVAL, 192);
-  desk.pass(100);
-  CHECK(desk.asked == "30:-1");
-  desk.answer(kAccepted);
-  desk.pass(10);
-  CHECK(desk.asked == "30:-1 24:-1");
+  CHECK(desk.asks("answers nothing, upload, wait 100, to another, for others, wait 100") == "30:-1");
+  CHECK(desk.asks("accepted, wait 10") == "24:-1");
 }
 
 TEST_CASE("nothing leaves without room to send") {
   Quiet desk;
-  desk.beginUpload();
+  CHECK(desk.asks("upload, wait 50") == "idle");
   desk.line.room = 0;
-  desk.pass(50);
-  CHECK(desk.asked.empty());
+  CHECK(desk.asks("wait 50") == "idle");
+  desk.line.room = MemoryStream::kAlwaysRoom;
+  CHECK(desk.asks("wait 5") == "30:-1");
 }
 
 TEST_CASE("an answer to the client's own setMessageInterval() is not taken for one to the pause") {
   Desk desk(kThree);
-  desk.pass(500);
-  REQUIRE(desk.asked == "30:100000");
-  desk.client.setMessageInterval(99, 250000);
-  desk.pass(1400);
-  REQUIRE(desk.asked == "30:100000 99:250000");
-  desk.says = kAccepted;
-  desk.answer(kAccepted);
-  desk.pass(5);
+  CHECK(desk.asks("wait 500, own, wait 1400") == "30:100000, 99:250000");
+  CHECK(desk.asks("answers accepted, accepted, wait 5") == "30:100000/1");
   CHECK((desk.ended == Status::Done));
-  desk.pass(10000);
-  CHECK(desk.asked == "30:100000 99:250000 30:100000/1 24:0 33:65535000");
-  CHECK(desk.pause.isIdle());
+  CHECK(desk.asks("wait 10000") == "24:0, 33:65535000, idle");
 }
 
 TEST_CASE("a message whose second command was answered last is restored 1.5 s later: another answer may come") {
   const PausableMessage kOne[] = {{30, 100}};
   Desk desk(kOne);
-  desk.pass(2000);
-  REQUIRE(desk.asked == "30:100000 30:100000/1");
-  desk.answer(kAccepted);
-  desk.pass(1490);
-  CHECK_FALSE(desk.pause.isIdle());
-  desk.pass(20);
-  CHECK(desk.pause.isIdle());
-  desk.pass(5000);
-  CHECK(desk.pause.isIdle());
-  CHECK(desk.asked == "30:100000 30:100000/1");
+  REQUIRE(desk.asks("wait 2000") == "30:100000, 30:100000/1");
+  CHECK(desk.plays("accepted, wait 1490") == "");
+  CHECK(desk.plays("wait 20") == "idle");
+  CHECK(desk.plays("wait 5000") == "idle");
 }
 
 TEST_CASE("what follows a command that nobody has answered counts its attempts anew") {
   Quiet desk;
-  desk.says = kNone;
-  desk.beginUpload();
-  desk.pass(2000);
-  REQUIRE(desk.asked == "30:-1 30:-1/1");
-  desk.endUpload();
-  desk.pass(8000);
-  CHECK(desk.asked == "30:-1 30:-1/1 30:100000 30:100000/1 30:100000/2 30:100000/3 30:100000/4");
+  REQUIRE(desk.asks("answers nothing, upload, wait 2000") == "30:-1, 30:-1/1");
+  CHECK(desk.asks("end, wait 8000") == "30:100000, 30:100000/1, 30:100000/2, 30:100000/3, 30:100000/4");
 }
 
 TEST_CASE("a command that was answered does not delay the client's own") {
   Quiet desk;
-  desk.beginUpload();
-  desk.pass(3000);
-  desk.endUpload();
+  desk.plays("upload, wait 3000, end");
   while (!desk.pause.isIdle()) desk.pass(1);
-  desk.forget();
-  desk.client.setMessageInterval(99, 250000);
-  desk.pass(20);
-  CHECK(desk.asked == "99:250000");
+  CHECK(desk.asks("own, wait 20") == "99:250000, idle");
 }
 
 TEST_CASE("a command that nobody has answered delays no other listener's, when 16 bits of milliseconds have passed") {
-  struct Followed : Line {
-    TelemetryPause pause;
-    MissionFollower follower;
-    Followed() : Line(kArduPilot), pause(client, kThree), follower(client) {}
-    void pass(uint32_t ms, bool isFollowed) {
-      for (; ms != 0; --ms) {
-        if (isFollowed && nowMs() % 500 == 250) hear(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28));
-        pause.update();
-        turn();
-      }
-    }
-  } desk;
-  desk.says = kAccepted;
-  desk.pass(3000, true);
-  desk.says = kNone;
-  desk.everyMs = 2000;
-  desk.beginUpload();
-  while (!desk.pause.isPaused()) desk.pass(1, true);
-  desk.forget();
-  desk.pass(61500, true);  // the last command has left 1.5 s before
-  desk.pass(1000 - desk.nowMs() % 1000, true);
-  desk.forget();
-  desk.pass(3500, false);
-  CHECK(desk.asked == "42:1000000");
-  CHECK(desk.times == "2002");
+  Desk desk(kThree);
+  MissionFollower follower(desk.client);
+  desk.isFollowed = true;
+  desk.askEachMs = 2000;
+  desk.plays("answers accepted, wait 3000, answers nothing, upload");
+  while (!desk.pause.isPaused()) desk.pass(1);
+  desk.pass(61500);  // the last command has left 1.5 s before
+  desk.pass(1000 - desk.nowMs() % 1000);
+  desk.isFollowed = false;
+  CHECK(desk.plays("wait 3500") == "2002 42:1000000, paused");
 }
