@@ -2,6 +2,7 @@
 #include "mavmission/service/Parameters.h"
 
 #include <doctest/doctest.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <initializer_list>
@@ -9,6 +10,7 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "Script.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
@@ -17,6 +19,7 @@ namespace {
 
 constexpr uint16_t kRead = MAVLINK_MSG_ID_PARAM_REQUEST_READ, kSet = MAVLINK_MSG_ID_PARAM_SET;
 constexpr uint8_t kArmed = 128;
+constexpr uint8_t kFloat = MAV_PARAM_TYPE_REAL32, kInt32 = MAV_PARAM_TYPE_INT32;
 
 uint32_t bitsOf(float value) {
   uint32_t bits;
@@ -26,6 +29,7 @@ uint32_t bitsOf(float value) {
 
 FlashText inFlash(const char* text) { return reinterpret_cast<FlashText>(text); }
 
+// Each begins an operation about the parameter NAME, or goes on with it; did() says what came of that.
 struct Desk : ClientOnLine {
   Parameters parameters;
   const bool isPx4;
@@ -36,7 +40,20 @@ struct Desk : ClientOnLine {
     sent.clear();
   }
 
-  void tellBits(const char* name, uint8_t type, uint32_t bits, uint8_t systemId = 1) {
+  Desk& read(const char* name = "NAME") { return parameters.read(inFlash(name)), begun(); }
+  Desk& set(float value) { return parameters.set(inFlash("NAME"), value), begun(); }
+  Desk& setWhole(int32_t value) { return parameters.setWhole(inFlash("NAME"), value), begun(); }
+  Desk& pass(uint32_t ms) { return run(ms), *this; }
+  Desk& room(int bytes) { return line.room = bytes, *this; }
+  Desk& arm() {
+    beats = false;
+    hear(heartbeatParts(kArduPilot, kArmed));
+    return pass(5);
+  }
+  // The parameter has this value, in the form in which this autopilot sends a number of this type.
+  Desk& says(uint8_t type, float value, const char* name = "NAME", uint8_t systemId = 1) {
+    const bool isAsBits = isPx4 && type < MAV_PARAM_TYPE_REAL32;
+    const uint32_t bits = isAsBits ? static_cast<uint32_t>(static_cast<int32_t>(value)) : bitsOf(value);
     mavlink_param_value_t message = mavlink_param_value_t();
     memcpy(&message.param_value, &bits, sizeof(bits));
     strncpy(message.param_id, name, sizeof(message.param_id));
@@ -46,35 +63,53 @@ struct Desk : ClientOnLine {
     FrameParts parts(MAVLINK_MSG_ID_PARAM_VALUE, payload, MAVLINK_MSG_ID_PARAM_VALUE_CRC);
     parts.systemId = systemId;
     hear(parts);
-    run(5);
+    return pass(5);
   }
-  // A number as this autopilot sends it.
-  void tell(const char* name, uint8_t type, float value) {
-    const bool isAsBits = isPx4 && type < MAV_PARAM_TYPE_REAL32;
-    tellBits(name, type, isAsBits ? static_cast<uint32_t>(static_cast<int32_t>(value)) : bitsOf(value));
-  }
-  // The bits that PARAM_SET carries after the parameter was read with this type and another value.
-  bool isSet(uint8_t type, uint32_t bits) {
+
+  // What has left since the last look, each behind the milliseconds since the one before, to 10, and how it has ended.
+  // "set -7 (6)": to this value, with this type.
+  std::string did() {
+    Transcript said;
+    for (const SentFrame& frame : sent) {
+      if (frame.messageId != kRead && frame.messageId != kSet) continue;
+      const uint32_t ms = frame.atMs - fromMs_;
+      said.note(frame.messageId == kRead ? readBy(frame) : setBy(frame), ms < 30 ? 0 : (ms + 5) / 10 * 10);
+      fromMs_ = frame.atMs;
+    }
+    for (Status status : ends) said.note(nameOf(status));
     sent.clear();
-    tell("NAME", type, 99);
-    if (sent.empty() || sent.back().messageId != kSet) return false;
+    ends.clear();
+    return said.text();
+  }
+
+ private:
+  uint32_t fromMs_ = 0;
+
+  Desk& begun() {
+    fromMs_ = nowMs();
+    return pass(20);
+  }
+  std::string readBy(const SentFrame& frame) {
+    mavlink_param_request_read_t request;
+    memcpy(&request, frame.payload.data(), sizeof(request));
+    CHECK(request.param_index == -1);
+    CHECK(request.target_system == 1);
+    CHECK(request.target_component == 1);
+    return "read " + std::string(request.param_id, strnlen(request.param_id, sizeof(request.param_id)));
+  }
+  std::string setBy(const SentFrame& frame) {
     mavlink_param_set_t message;
-    memcpy(&message, sent.back().payload.data(), sizeof(message));
-    uint32_t found;
-    memcpy(&found, &message.param_value, sizeof(found));
-    CHECK(message.param_type == type);
-    CHECK(strcmp(message.param_id, "NAME") == 0);
+    memcpy(&message, frame.payload.data(), sizeof(message));
+    CHECK(std::string(message.param_id) == "NAME");
     CHECK(message.target_system == 1);
     CHECK(message.target_component == 1);
-    CHECK(found == bits);
-    return found == bits;
-  }
-  // How setting it ends when it is found with this type and another value, before anything is set.
-  Status refused(uint8_t type) {
-    ended = Status::Idle;
-    tell("NAME", type, 99);
-    run(20);
-    return ended;
+    int32_t whole;
+    memcpy(&whole, &message.param_value, sizeof(whole));
+    char text[40];
+    const bool isAsBits = isPx4 && message.param_type < MAV_PARAM_TYPE_REAL32;
+    isAsBits ? snprintf(text, sizeof(text), "set %ld (%u)", static_cast<long>(whole), message.param_type)
+             : snprintf(text, sizeof(text), "set %.9g (%u)", double(message.param_value), message.param_type);
+    return text;
   }
 };
 
@@ -82,28 +117,18 @@ struct Desk : ClientOnLine {
 
 TEST_CASE("a parameter is asked for by its name, and its value is what comes") {
   Desk desk;
-  CHECK((desk.parameters.read(inFlash("SERIAL1_BAUD")) == desk.client.status()));
-  CHECK(desk.client.isBusy());
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  mavlink_param_request_read_t request;
-  memcpy(&request, desk.sent.back().payload.data(), sizeof(request));
-  CHECK(request.param_index == -1);
-  CHECK(strcmp(request.param_id, "SERIAL1_BAUD") == 0);
-  CHECK(request.target_system == 1);
-  CHECK(request.target_component == 1);
+  CHECK(desk.read("SERIAL1_BAUD").did() == "read SERIAL1_BAUD");
   CHECK((desk.parameters.read(inFlash("OTHER")) == Status::Busy));
   // Others change at any time, and other vehicles have the same.
-  desk.tell("SERIAL1_BAU", MAV_PARAM_TYPE_INT32, 1);
-  desk.tell("SERIAL1_BAUDS", MAV_PARAM_TYPE_INT32, 1);
-  desk.tellBits("SERIAL1_BAUD", MAV_PARAM_TYPE_INT32, bitsOf(1), 9);
+  desk.says(kInt32, 1, "SERIAL1_BAU").says(kInt32, 1, "SERIAL1_BAUDS").says(kInt32, 1, "SERIAL1_BAUD", 9);
+  CHECK(desk.did() == "");
   CHECK(desk.client.isBusy());
-  desk.tell("SERIAL1_BAUD", MAV_PARAM_TYPE_INT32, 57);
-  CHECK((desk.ended == Status::Done));
+  CHECK(desk.says(kInt32, 57, "SERIAL1_BAUD").did() == "Done");
   CHECK(desk.parameters.value() == 57);
   CHECK(desk.parameters.whole() == 57);
   CHECK(desk.parameters.isWhole());
   // What comes behind that is nobody's.
-  desk.tell("SERIAL1_BAUD", MAV_PARAM_TYPE_INT32, 58);
+  desk.says(kInt32, 58, "SERIAL1_BAUD");
   CHECK(desk.parameters.value() == 57);
 }
 
@@ -111,128 +136,84 @@ TEST_CASE("each type is read as this autopilot sends it") {
   for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
     for (uint8_t type = MAV_PARAM_TYPE_UINT8; type <= MAV_PARAM_TYPE_REAL64; ++type) {
       Desk desk(autopilot);
-      desk.parameters.read(inFlash("NAME"));
-      REQUIRE(desk.runUntilSent(kRead, 100));
-      desk.tell("NAME", type, -3);
-      CHECK((desk.ended == Status::Done));
+      CHECK(desk.read().says(type, -3).did() == "read NAME, Done");
       CHECK(desk.parameters.value() == -3);
       CHECK(desk.parameters.whole() == -3);
       CHECK(desk.parameters.isWhole() == (type < MAV_PARAM_TYPE_REAL32));
     }
   }
   Desk desk;
-  desk.parameters.read(inFlash("NAME"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 2.5f);
+  desk.read().says(kFloat, 2.5f);
   CHECK(desk.parameters.value() == 2.5f);
   CHECK(desk.parameters.whole() == 3);
 }
 
 TEST_CASE("a name that nobody knows is asked for every 1500 ms, up to 5 times, and then there is none") {
   Desk desk;
-  desk.parameters.read(inFlash("NONE"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  const uint32_t from = desk.nowMs();
-  desk.run(7400);
-  const std::vector<uint32_t> times = desk.timesOf(kRead, from);
-  REQUIRE(times.size() == 5);
-  for (uint32_t i = 0; i < 5; ++i) CHECK((times[i] >= 1500 * i && times[i] <= 1500 * i + 20));
+  CHECK(desk.read("NONE").pass(7400).did() == "read NONE, 1500 read NONE (4 times)");
   CHECK(desk.client.isBusy());
-  desk.run(200);
-  CHECK((desk.ended == Status::NoParameter));
+  CHECK(desk.pass(200).did() == "NoParameter");
 }
 
 TEST_CASE("a name has 16 characters at the most") {
   Desk desk;
-  desk.parameters.read(inFlash("SIXTEEN_LETTERS_"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK(memcmp(&desk.sent.back().payload[4], "SIXTEEN_LETTERS_", 16) == 0);
-  desk.tell("SIXTEEN_LETTERS_", MAV_PARAM_TYPE_INT8, 1);
-  CHECK((desk.ended == Status::Done));
-  desk.sent.clear();
-  desk.parameters.read(inFlash("SEVENTEEN_LETTERS"));
-  desk.run(50);
-  CHECK((desk.ended == Status::NoParameter));
-  CHECK(desk.timesOf(kRead, 0).empty());
+  CHECK(desk.read("SIXTEEN_LETTERS_").says(MAV_PARAM_TYPE_INT8, 1, "SIXTEEN_LETTERS_").did() ==
+        "read SIXTEEN_LETTERS_, Done");
+  CHECK(desk.read("SEVENTEEN_LETTERS").did() == "NoParameter");
   // A name after a longer one is that name alone.
-  desk.parameters.read(inFlash("AB"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK(desk.sent.back().payload[4 + 2] == 0);
-  CHECK(desk.sent.back().payload[4 + 3] == 0);
+  CHECK(desk.read("AB").did() == "read AB");
 }
 
 TEST_CASE("a parameter that has the value already is not set") {
   for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
     Desk desk(autopilot);
-    desk.parameters.setWhole(inFlash("NAME"), 12);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    desk.tell("NAME", MAV_PARAM_TYPE_INT16, 12);
-    CHECK((desk.ended == Status::Done));
-    CHECK(desk.timesOf(kSet, 0).empty());
-    // -0 is 0.
-    desk.parameters.set(inFlash("NAME"), -0.f);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 0);
-    CHECK((desk.ended == Status::Done));
-    CHECK(desk.timesOf(kSet, 0).empty());
+    CHECK(desk.setWhole(12).says(MAV_PARAM_TYPE_INT16, 12).did() == "read NAME, Done");
+    CHECK(desk.set(-0.f).says(kFloat, 0).did() == "read NAME, Done");
   }
 }
 
 TEST_CASE("another value is set with the type that was read, and the answer confirms it") {
   for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    const bool isPx4 = autopilot == ClientOnLine::kPx4;
     Desk desk(autopilot);
-    desk.parameters.setWhole(inFlash("NAME"), -7);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK(desk.isSet(MAV_PARAM_TYPE_INT32, isPx4 ? static_cast<uint32_t>(-7) : bitsOf(-7)));
+    CHECK(desk.setWhole(-7).says(kInt32, 99).did() == "read NAME, set -7 (6)");
     CHECK(desk.client.isBusy());
-    desk.tell("NAME", MAV_PARAM_TYPE_INT32, -7);
-    CHECK((desk.ended == Status::Done));
+    CHECK(desk.says(kInt32, -7).did() == "Done");
     CHECK(desk.parameters.whole() == -7);
-    desk.parameters.set(inFlash("NAME"), 0.25f);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(0.25f)));
-    desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 0.25f);
-    CHECK((desk.ended == Status::Done));
+    CHECK(desk.set(0.25f).says(kFloat, 99).says(kFloat, 0.25f).did() == "read NAME, set 0.25 (9), Done");
     // A whole number for a float, and a float without a fraction for a whole one.
-    desk.parameters.setWhole(inFlash("NAME"), 3);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(3)));
-    desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 3);
-    desk.parameters.set(inFlash("NAME"), 5);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK(desk.isSet(MAV_PARAM_TYPE_UINT8, isPx4 ? 5 : bitsOf(5)));
-    desk.tell("NAME", MAV_PARAM_TYPE_UINT8, 5);
-    CHECK((desk.ended == Status::Done));
+    CHECK(desk.setWhole(3).says(kFloat, 99).says(kFloat, 3).did() == "read NAME, set 3 (9), Done");
+    CHECK(desk.set(5).says(MAV_PARAM_TYPE_UINT8, 99).says(MAV_PARAM_TYPE_UINT8, 5).did() ==
+          "read NAME, set 5 (1), Done");
   }
 }
 
 TEST_CASE("another value that stays is told when it was set twice, and after 2 s") {
   Desk desk;
-  desk.parameters.set(inFlash("NAME"), 500);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(500)));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);  // a late answer to the reading, perhaps
+  // The first answer may be a late one to the reading.
+  CHECK(desk.set(500).says(kFloat, 99).says(kFloat, 100).did() == "read NAME, set 500 (9)");
+  CHECK(desk.pass(1500).says(kFloat, 100).did() == "1500 set 500 (9)");
   CHECK(desk.client.isBusy());
-  REQUIRE(desk.runUntilSent(kSet, 1600));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
-  CHECK(desk.client.isBusy());
-  desk.run(1000);
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
-  CHECK((desk.ended == Status::OtherValue));
+  CHECK(desk.pass(1000).says(kFloat, 100).did() == "OtherValue");
   CHECK(desk.parameters.value() == 100);
+  // The 2 s count from the setting, and not from the reading.
+  CHECK(desk.set(500).pass(1200).says(kFloat, 99).pass(1500).says(kFloat, 100).did() ==
+        "read NAME, 1220 set 500 (9), 1500 set 500 (9)");
+  CHECK(desk.client.isBusy());
+  CHECK(desk.pass(500).says(kFloat, 100).did() == "OtherValue");
+}
+
+TEST_CASE("another value counts when it was set twice, however long that takes") {
+  Desk desk;
+  CHECK(desk.set(500).says(kFloat, 99).did() == "read NAME, set 500 (9)");
+  CHECK(desk.room(0).pass(2500).says(kFloat, 100).did() == "");  // the second attempt cannot leave
+  CHECK(desk.room(MemoryStream::kAlwaysRoom).pass(100).says(kFloat, 100).did() == "2510 set 500 (9), OtherValue");
 }
 
 TEST_CASE("a set value that nobody confirms is unconfirmed after 5 attempts") {
   Desk desk;
-  desk.parameters.set(inFlash("NAME"), 500);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(500)));
-  desk.run(7400);
+  CHECK(desk.set(500).says(kFloat, 99).pass(7400).did() == "read NAME, set 500 (9), 1500 set 500 (9) (4 times)");
   CHECK(desk.client.isBusy());
-  CHECK(desk.timesOf(kSet, 0).size() == 5);
-  desk.run(200);
-  CHECK((desk.ended == Status::Unconfirmed));
+  CHECK(desk.pass(200).did() == "Unconfirmed");
 }
 
 TEST_CASE("a number that the parameter's type does not have is not set") {
@@ -245,170 +226,83 @@ TEST_CASE("a number that the parameter's type does not have is not set") {
   for (const auto& range : kRanges) {
     for (int32_t number : {range.least, range.most}) {
       Desk desk(ClientOnLine::kPx4);
-      desk.parameters.setWhole(inFlash("NAME"), number);
-      REQUIRE(desk.runUntilSent(kRead, 100));
-      CHECK(desk.isSet(range.type, static_cast<uint32_t>(number)));
+      CHECK(desk.setWhole(number).says(range.type, 99).did() ==
+            "read NAME, set " + std::to_string(number) + " (" + std::to_string(range.type) + ")");
     }
     Desk desk(ClientOnLine::kPx4);
-    desk.parameters.setWhole(inFlash("NAME"), range.least - 1);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK((desk.refused(range.type) == Status::NotKept));
+    CHECK(desk.setWhole(range.least - 1).says(range.type, 99).pass(20).did() == "read NAME, NotKept");
     if (range.most == INT32_MAX) continue;
-    desk.parameters.setWhole(inFlash("NAME"), range.most + 1);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK((desk.refused(range.type) == Status::NotKept));
-    desk.parameters.set(inFlash("NAME"), static_cast<float>(range.most + 1));
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK((desk.refused(range.type) == Status::NotKept));
-    CHECK(desk.timesOf(kSet, 0).empty());
+    CHECK(desk.setWhole(range.most + 1).says(range.type, 99).pass(20).did() == "read NAME, NotKept");
+    CHECK(desk.set(static_cast<float>(range.most + 1)).says(range.type, 99).pass(20).did() == "read NAME, NotKept");
   }
   Desk wide(ClientOnLine::kPx4);
-  wide.parameters.setWhole(inFlash("NAME"), INT32_MIN);
-  REQUIRE(wide.runUntilSent(kRead, 100));
-  CHECK(wide.isSet(MAV_PARAM_TYPE_INT32, 0x80000000));
+  CHECK(wide.setWhole(INT32_MIN).says(kInt32, 99).did() == "read NAME, set -2147483648 (6)");
 }
 
 TEST_CASE("a number with a fraction, or with more digits than a float, is not set where it would not be kept") {
   Desk desk;
   const MissionItem odd[] = {anyCommandAt(kNavWaypoint, -35_deg, 149_deg, 20_m, 2.5f)};
   desk.client.upload(inRam(odd));
-  desk.run(50);
+  CHECK(desk.pass(50).did() == "NotKept");
   CHECK(desk.client.keptValue() == 2);
   for (float number : {1.5f, -0.25f, 3e9f, 1e38f}) {
-    desk.parameters.set(inFlash("NAME"), number);
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    CHECK((desk.refused(MAV_PARAM_TYPE_INT32) == Status::NotKept));
+    CHECK(desk.set(number).says(kInt32, 99).pass(20).did() == "read NAME, NotKept");
     CHECK_FALSE(desk.client.keptValue() == desk.client.keptValue());  // of a plan alone
-    desk.sent.clear();
   }
   // ArduPilot's whole numbers are floats on the wire; PX4's are not.
-  desk.parameters.setWhole(inFlash("NAME"), 16777217);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK((desk.refused(MAV_PARAM_TYPE_INT32) == Status::NotKept));
-  desk.parameters.setWhole(inFlash("NAME"), 16777217);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK((desk.refused(MAV_PARAM_TYPE_REAL32) == Status::NotKept));
-  desk.parameters.setWhole(inFlash("NAME"), 16777216);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK(desk.isSet(MAV_PARAM_TYPE_INT32, bitsOf(16777216)));
+  CHECK(desk.setWhole(16777217).says(kInt32, 99).pass(20).did() == "read NAME, NotKept");
+  CHECK(desk.setWhole(16777217).says(kFloat, 99).pass(20).did() == "read NAME, NotKept");
+  CHECK(desk.setWhole(16777216).says(kInt32, 99).did() == "read NAME, set 16777216 (6)");
   Desk px4(ClientOnLine::kPx4);
-  px4.parameters.setWhole(inFlash("NAME"), 16777217);
-  REQUIRE(px4.runUntilSent(kRead, 100));
-  CHECK(px4.isSet(MAV_PARAM_TYPE_INT32, 16777217));
+  CHECK(px4.setWhole(16777217).says(kInt32, 99).did() == "read NAME, set 16777217 (6)");
 }
 
 TEST_CASE("what is no number is refused before anything is sent") {
   Desk desk;
-  desk.parameters.set(inFlash("NAME"), std::numeric_limits<float>::quiet_NaN());
-  desk.run(20);
-  CHECK((desk.ended == Status::NotANumber));
-  desk.parameters.set(inFlash("NAME"), -std::numeric_limits<float>::infinity());
-  desk.run(20);
-  CHECK((desk.ended == Status::NotFinite));
-  CHECK(desk.timesOf(kRead, 0).empty());
-  // The same bits as a whole number are one.
-  desk.parameters.setWhole(inFlash("NAME"), 0x7FC00000);
-  CHECK(desk.runUntilSent(kRead, 100));
+  CHECK(desk.set(std::numeric_limits<float>::quiet_NaN()).did() == "NotANumber");
+  CHECK(desk.set(-std::numeric_limits<float>::infinity()).did() == "NotFinite");
+  CHECK(desk.setWhole(0x7FC00000).did() == "read NAME");  // the same bits as a whole number are one
 }
 
 TEST_CASE("an armed autopilot's parameters are read, and set only where the sketch allows it") {
   Desk desk;
-  const auto arm = [&desk]() {
-    desk.beats = false;
-    desk.hear(heartbeatParts(ClientOnLine::kArduPilot, kArmed));
-    desk.run(5);
-  };
-  arm();
-  desk.parameters.read(inFlash("NAME"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 1);
-  CHECK((desk.ended == Status::Done));
-  desk.sent.clear();
-  for (bool isWhole : {true, false}) {
-    isWhole ? desk.parameters.setWhole(inFlash("NAME"), 2) : desk.parameters.set(inFlash("NAME"), 2);
-    desk.run(20);
-    CHECK((desk.ended == Status::Armed));
-    CHECK(desk.timesOf(kRead, 0).empty());
-  }
+  CHECK(desk.arm().read().says(kFloat, 1).did() == "read NAME, Done");
+  CHECK(desk.setWhole(2).did() == "Armed");
+  CHECK(desk.set(2).did() == "Armed");
   desk.client.allowWhileArmed(true);
-  desk.parameters.set(inFlash("NAME"), 2);
-  CHECK(desk.runUntilSent(kRead, 100));
-  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(2)));
-  // One that is armed between the reading and the setting.
-  Desk later;
-  later.parameters.set(inFlash("NAME"), 2);
-  REQUIRE(later.runUntilSent(kRead, 100));
-  later.beats = false;
-  later.hear(heartbeatParts(ClientOnLine::kArduPilot, kArmed));
-  later.run(5);
-  CHECK((later.ended == Status::Armed));
+  CHECK(desk.set(2).says(kFloat, 99).did() == "read NAME, set 2 (9)");
+  Desk later;  // it is armed between the reading and the setting
+  CHECK(later.set(2).arm().did() == "read NAME, Armed");
 }
 
 TEST_CASE("nothing that comes before the request has left is its answer, and nothing after cancel()") {
   Desk desk;
-  desk.line.room = 0;
-  desk.parameters.read(inFlash("NAME"));
-  desk.run(20);
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 1);
+  CHECK(desk.room(0).read().says(kFloat, 1).did() == "");
   CHECK(desk.client.isBusy());
-  desk.line.room = MemoryStream::kAlwaysRoom;
-  REQUIRE(desk.runUntilSent(kRead, 1000));
+  CHECK(desk.room(MemoryStream::kAlwaysRoom).pass(1000).did() == "read NAME");
   desk.client.cancel();
-  desk.run(5);
-  CHECK((desk.ended == Status::Cancelled));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 3);
+  CHECK(desk.pass(5).did() == "Cancelled");
+  desk.says(kFloat, 3);
   CHECK(desk.parameters.value() == 0);
   // Nor is it of another operation's.
   desk.client.setMessageInterval(30, 100000);
-  desk.run(100);
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 4);
+  desk.pass(100).says(kFloat, 4);
   CHECK(desk.parameters.value() == 0);
 }
 
 TEST_CASE("an operation that takes too long ends as such") {
   Desk desk;
   desk.client.setOperationTimeout(3);
-  desk.parameters.read(inFlash("NONE"));
-  desk.run(2500);
+  CHECK(desk.read("NONE").pass(2500).did() == "read NONE, 1500 read NONE");
   CHECK(desk.client.isBusy());
-  desk.run(1600);
-  CHECK((desk.ended == Status::TookTooLong));
-}
-
-TEST_CASE("another value counts when it was set twice, however long that takes") {
-  Desk desk;
-  desk.parameters.set(inFlash("NAME"), 500);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(500)));
-  desk.line.room = 0;  // the second attempt cannot leave
-  desk.run(2500);
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
-  CHECK(desk.client.isBusy());
-  desk.line.room = MemoryStream::kAlwaysRoom;
-  REQUIRE(desk.runUntilSent(kSet, 100));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
-  CHECK((desk.ended == Status::OtherValue));
-}
-
-TEST_CASE("the 2 s after which another value is believed count from the setting, and not from the reading") {
-  Desk desk;
-  desk.parameters.set(inFlash("NAME"), 500);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  desk.run(1200);
-  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(500)));
-  REQUIRE(desk.runUntilSent(kSet, 1600));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
-  CHECK(desk.client.isBusy());
-  desk.run(500);
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
-  CHECK((desk.ended == Status::OtherValue));
+  CHECK(desk.pass(1600).did() == "TookTooLong");
 }
 
 TEST_CASE("a parameter is asked for in the update() that follows, and its time begins then") {
   Desk desk;
-  desk.run(10);
+  desk.pass(10).did();
   desk.parameters.read(inFlash("NAME"));
-  desk.run(1);
+  desk.pass(1);
   CHECK(desk.timesOf(kRead, 0).size() == 1);
 
   ClientOnLine waiting(ClientOnLine::kArduPilot);
@@ -426,29 +320,23 @@ TEST_CASE("a parameter is asked for in the update() that follows, and its time b
 TEST_CASE("a value is for the one that has asked") {
   Desk desk;
   Parameters other(desk.client);
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 1);
-  for (Parameters* one : {&desk.parameters, &other}) {
-    one->read(inFlash("NAME"));
-    REQUIRE(desk.runUntilSent(kRead, 100));
-    const float value = one == &other ? 8 : 7;
-    desk.tell("NAME", MAV_PARAM_TYPE_REAL32, value);
-    CHECK((desk.ended == Status::Done));
-    CHECK(one->value() == value);
-    CHECK_FALSE((one == &other ? desk.parameters : other).value() == value);
-  }
+  desk.says(kFloat, 1);
+  CHECK(desk.read().says(kFloat, 7).did() == "read NAME, Done");
+  CHECK(desk.parameters.value() == 7);
+  CHECK_FALSE(other.value() == 7);
+  other.read(inFlash("NAME"));
+  CHECK(desk.pass(20).says(kFloat, 8).did() == "read NAME, Done");
+  CHECK(other.value() == 8);
+  CHECK(desk.parameters.value() == 7);
 }
 
 TEST_CASE("a value that comes while the client clears a plan ends nothing, though its reading was cancelled") {
   Desk desk;
-  desk.parameters.read(inFlash("NAME"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  desk.client.cancel();
-  desk.run(5);
-  desk.ended = Status::Idle;
+  desk.read().client.cancel();
+  CHECK(desk.pass(5).did() == "read NAME, Cancelled");
   desk.client.clear();
   REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_MISSION_CLEAR_ALL, 3000));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 4);
+  CHECK(desk.says(kFloat, 4).did() == "");
   CHECK(desk.client.isBusy());
-  CHECK((desk.ended == Status::Idle));
   CHECK(desk.parameters.value() == 0);
 }
