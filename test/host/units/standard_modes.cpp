@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "Script.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
@@ -33,40 +34,81 @@ struct Flown : ClientOnLine {
   bool obeys = true, tells = true;
   bool beatsOnRequest = true;
   mavlink_available_modes_t entry;
-  std::string commands;  // those that have left, but for requests of heartbeats
-  std::string times;     // and when [ms]
-  uint32_t fromMs = 0;   // since when
-  uint32_t heartbeatMs = 0;
+  uint32_t tookMs = 0;  // of the last script
 
   explicit Flown() : ClientOnLine(kPx4), modes(client), entry() {
     beats = false;
-    pass(3500);
-    begin();
+    plays("wait 3500");
+  }
+  Flown& thatSays(uint8_t toSet, uint8_t toAsk) {
+    saysToSet = toSet;
+    saysToAsk = toAsk;
+    return *this;
+  }
+  Flown& thatDoesNot(bool& one) {
+    one = false;
+    return *this;
   }
 
-  void begin() {
-    commands.clear();
-    times.clear();
-    fromMs = nowMs();
-    ended = Status::Idle;
+  // What leaves but for requests of heartbeats, "order 7, ask mode, ask entry 3", each behind the milliseconds (to 10)
+  // since the one before if they are many, and how it ends, when this happens:
+  // set N, read N: the operation begins; wait N: N ms pass; until order, until ask: that has left; end: it has ended
+  // shows: a heartbeat; mode N, foreign N: CURRENT_MODE, of it or of another; entry N, strange N: the same of the list
+  // accepts: its answer to the order, answers: to the question
+  std::string plays(const std::string& script) {
+    said_ = Transcript();
+    spokeMs_ = nowMs();
+    const uint32_t fromMs = nowMs();
+    ends.clear();
+    for (const Event& event : eventsOf(script)) happens(event, static_cast<uint8_t>(event.number));
+    for (Status status : ends) said_.note(nameOf(status));
+    tookMs = nowMs() - fromMs;
+    return said_.text();
   }
-  void show(uint32_t mode, uint8_t version = 2) {
+  bool isIn(uint8_t mode) const { return modes.current() == static_cast<StandardMode>(mode); }
+
+ private:
+  Transcript said_;
+  uint32_t spokeMs_ = 0, heartbeatMs_ = 0;
+  bool hasOrdered_ = false, hasAsked_ = false;
+
+  void happens(const Event& event, uint8_t number) {
+    if (event.is("set")) modes.set(static_cast<StandardMode>(number));
+    if (event.is("read")) modes.read(number);
+    if (event.is("wait")) pass(event.number);
+    if (event.is("until order")) passUntil(hasOrdered_);
+    if (event.is("until ask")) passUntil(hasAsked_);
+    if (event.is("end")) {
+      for (uint32_t ms = 0; ms < 20000 && client.isBusy(); ++ms) pass(1);
+      CHECK_FALSE(client.isBusy());
+    }
+    if (event.is("shows")) show();
+    if (event.is("mode") || event.is("foreign")) tellCurrent(number, event.is("mode") ? 1 : 2);
+    if (event.is("entry") || event.is("strange")) tellEntry(number, event.is("entry") ? 1 : 2);
+    if (event.is("accepts")) answer(kSet, kAccepted);
+    if (event.is("answers")) answer(kAsk, kAccepted);
+  }
+  void passUntil(bool& isDone) {
+    isDone = false;
+    for (int ms = 0; ms < 5000 && !isDone; ++ms) pass(1);
+    REQUIRE(isDone);
+  }
+  void show() {
     mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = mode;
+    message.custom_mode = custom;
     message.type = MAV_TYPE_QUADROTOR;
     message.autopilot = MAV_AUTOPILOT_PX4;
     message.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
     message.system_status = MAV_STATE_ACTIVE;
     message.mavlink_version = 3;
-    tell(MAVLINK_MSG_ID_HEARTBEAT, MAVLINK_MSG_ID_HEARTBEAT_CRC, message, 1, version);
+    tell(MAVLINK_MSG_ID_HEARTBEAT, MAVLINK_MSG_ID_HEARTBEAT_CRC, message, 1);
   }
   template <typename Message>
-  void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId = 1, uint8_t version = 2) {
+  void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId) {
     Bytes payload(sizeof(Message));
     memcpy(payload.data(), &message, payload.size());
     FrameParts parts(id, payload, crcExtra);
     parts.systemId = systemId;
-    parts.version = version;
     hear(parts);
   }
   void tellCurrent(uint8_t mode, uint8_t systemId = 1) {
@@ -85,10 +127,9 @@ struct Flown : ClientOnLine {
     hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, result, 0, 0, 0, 0, 0, 1, 191},
                     MAVLINK_MSG_ID_COMMAND_ACK_CRC));
   }
-
   void pass(uint32_t ms) {
     for (; ms != 0; --ms) {
-      if (nowMs() == heartbeatMs || nowMs() % 1000 == 0) show(custom);
+      if ((nowMs() == heartbeatMs_ && beatsOnRequest) || nowMs() % 1000 == 0) show();
       const size_t before = sent.size();
       run(1);
       for (size_t i = before; i < sent.size(); ++i) {
@@ -100,29 +141,30 @@ struct Flown : ClientOnLine {
     mavlink_command_long_t command;
     memcpy(&command, frame.payload.data(), sizeof(command));
     if (command.command == kAsk && command.param1 == MAVLINK_MSG_ID_HEARTBEAT) {
-      if (beatsOnRequest) heartbeatMs = nowMs() + 25;
+      heartbeatMs_ = nowMs() + 25;
       return answer(kAsk, kAccepted);
     }
-    const auto number = [](float value) { return std::to_string(static_cast<int>(value)); };
-    commands += (commands.empty() ? "" : ", ") + std::to_string(command.command) + " " + number(command.param1);
-    if (command.param2 != 0) commands += " " + number(command.param2);
-    if (command.confirmation != 0) commands += " again";
-    times += (times.empty() ? "" : " ") + std::to_string(frame.atMs - fromMs);
+    const uint32_t ms = frame.atMs - spokeMs_;
+    const std::string again = command.confirmation != 0 ? " again" : "";
+    const auto note = [&](const std::string& said) { said_.note(said + again, ms < 200 ? 0 : (ms + 5) / 10 * 10); };
+    spokeMs_ = frame.atMs;
     if (command.command == kSet) {
+      note("order " + std::to_string(static_cast<int>(command.param1)));
+      hasOrdered_ = true;
       if (obeys) {
         custom = kLand;
         standard = static_cast<uint8_t>(command.param1);
       }
       return answer(kSet, saysToSet);
     }
+    REQUIRE(command.command == kAsk);
+    const bool isOfMode = command.param1 == kCurrentMode;
+    CHECK((isOfMode ? command.param2 == 0 : command.param1 == kModes));
+    note(isOfMode ? "ask mode" : "ask entry " + std::to_string(static_cast<int>(command.param2)));
+    hasAsked_ = true;
     answer(kAsk, saysToAsk);
     if (!tells) return;
-    command.param1 == kCurrentMode ? tellCurrent(standard) : tellEntry(static_cast<uint8_t>(command.param2));
-  }
-  Status end(uint32_t limitMs = 20000) {
-    for (; limitMs != 0 && client.isBusy(); --limitMs) pass(1);
-    CHECK_FALSE(client.isBusy());
-    return ended;
+    isOfMode ? tellCurrent(standard) : tellEntry(static_cast<uint8_t>(command.param2));
   }
 };
 
@@ -131,8 +173,7 @@ struct Flown : ClientOnLine {
 TEST_CASE("before anything was read there is no entry, and the mode is not known") {
   Flown flight;
   flight.entry.number_modes = 9;
-  flight.tellEntry(1);  // for another client
-  flight.pass(5);
+  flight.plays("entry 1, wait 5");  // for another client
   CHECK(flight.modes.count() == 0);
   CHECK(std::string(flight.modes.name()).empty());
   CHECK((flight.modes.mode() == StandardMode::NonStandard));
@@ -152,42 +193,31 @@ TEST_CASE("before anything was read there is no entry, and the mode is not known
 TEST_CASE("each mode is ordered by its number, asked for, and done when it is shown") {
   for (uint8_t mode = 1; mode <= 8; ++mode) {
     Flown flight;
-    CHECK((flight.modes.set(static_cast<StandardMode>(mode)) != Status::Busy));
-    CHECK((flight.end() == Status::Done));
-    CHECK(flight.commands == "262 " + std::to_string(mode) + ", 512 436");
-    CHECK((flight.modes.current() == static_cast<StandardMode>(mode)));
-    CHECK(flight.nowMs() - flight.fromMs < 120);
+    const std::string number = std::to_string(mode);
+    CHECK(flight.plays("set " + number + ", end") == "order " + number + ", ask mode, Done");
+    CHECK(flight.isIn(mode));
+    CHECK(flight.tookMs < 120);
   }
 }
 
 TEST_CASE("it is done behind a heartbeat, so that the next order does not take the mode for somebody else's") {
   Flown flight;
-  flight.modes.set(StandardMode::Land);
-  while (flight.commands != "262 7, 512 436") flight.pass(1);
+  CHECK(flight.plays("set 7, until ask") == "order 7, ask mode");
   flight.beatsOnRequest = false;
-  flight.heartbeatMs = 0;
-  flight.pass(300);
+  CHECK(flight.plays("wait 300") == "");
   CHECK(flight.client.isBusy());
-  CHECK((flight.modes.current() == StandardMode::Land));
-  CHECK(flight.commands == "262 7, 512 436");
-  flight.show(kLand);
-  flight.pass(2);
-  CHECK((flight.ended == Status::Done));
+  CHECK(flight.isIn(kLandMode));
+  CHECK(flight.plays("shows, wait 2") == "Done");
   flight.beatsOnRequest = true;
-  flight.begin();
-  flight.modes.set(StandardMode::Orbit);
-  CHECK((flight.end() == Status::Done));
+  CHECK(flight.plays("set 2, end") == "order 2, ask mode, Done");
 }
 
 TEST_CASE("no heartbeat behind it leaves it unconfirmed") {
   Flown flight;
-  flight.modes.set(StandardMode::Land);
-  while (flight.commands != "262 7, 512 436") flight.pass(1);
-  flight.beatsOnRequest = false;
-  flight.heartbeatMs = 0;
+  flight.plays("set 7, until ask");
   const uint32_t fromMs = flight.nowMs();  // CURRENT_MODE and the answer come in the next millisecond
   for (uint32_t ms = 0; ms < 8000 && flight.client.isBusy(); ++ms) {
-    if (flight.nowMs() % 500 == 0) flight.tellCurrent(kLandMode);  // it is still there
+    if (flight.nowMs() % 500 == 0) flight.plays("mode 7");  // it is still there
     flight.run(1);
   }
   CHECK((flight.ended == Status::Unconfirmed));
@@ -195,146 +225,91 @@ TEST_CASE("no heartbeat behind it leaves it unconfirmed") {
 }
 
 TEST_CASE("a mode that is none, or a link of MAVLink 1, is refused before anything is sent") {
-  Flown flight;
-  flight.modes.set(StandardMode::NonStandard);
-  CHECK((flight.end() == Status::NoSuchMode));
-  for (bool isSet : {true, false}) {
+  CHECK(Flown().plays("set 0, end") == "NoSuchMode");
+  for (const char* script : {"set 7, end", "read 1, end"}) {
     Flown old;
     old.client.setMavlinkVersion(MavlinkVersion::Version1);
-    isSet ? old.modes.set(StandardMode::Land) : old.modes.read(1);
-    CHECK((old.end() == Status::NeedsMavlink2));
-    CHECK(old.commands.empty());
+    CHECK(old.plays(script) == "NeedsMavlink2");
   }
-  CHECK(flight.commands.empty());
 }
 
 TEST_CASE("a refusal is the end, and nothing is asked") {
   const struct {
     uint8_t result;
-    Status status;
-  } kResults[] = {{kFailed, Status::CommandFailed},
-                  {kDenied, Status::CommandDenied},
-                  {MAV_RESULT_UNSUPPORTED, Status::CommandUnsupported},
-                  {MAV_RESULT_TEMPORARILY_REJECTED, Status::CommandRejected}};
+    const char* ends;
+  } kResults[] = {{kFailed, "order 7, CommandFailed"},
+                  {kDenied, "order 7, CommandDenied"},
+                  {MAV_RESULT_UNSUPPORTED, "order 7, CommandUnsupported"},
+                  {MAV_RESULT_TEMPORARILY_REJECTED, "order 7, CommandRejected"}};
   for (const auto& one : kResults) {
     Flown flight;
-    flight.obeys = false;
-    flight.saysToSet = one.result;
-    flight.modes.set(StandardMode::Land);
-    CHECK((flight.end() == one.status));
-    CHECK(flight.commands == "262 7");
+    CHECK(flight.thatDoesNot(flight.obeys).thatSays(one.result, kAccepted).plays("set 7, end") == one.ends);
   }
 }
 
 TEST_CASE("another mode that is shown before the order leaves is somebody else's") {
   Flown flight;
-  flight.modes.set(StandardMode::Land);
-  flight.pass(3);
+  CHECK(flight.plays("set 7, wait 3") == "");
   flight.custom = kReturn;
-  CHECK((flight.end() == Status::TakenOver));
-  CHECK(flight.commands.empty());
+  CHECK(flight.plays("end") == "TakenOver");
 }
 
 TEST_CASE("another mode that is shown before the answer: the order does not leave again, and the mode is asked for") {
-  for (bool isOurs : {true, false}) {
-    Flown flight;
-    flight.saysToSet = kSilent;
-    flight.modes.set(StandardMode::Land);
-    while (flight.commands.empty()) flight.pass(1);
-    if (!isOurs) {
-      flight.custom = kReturn;
-      flight.standard = kRecovery;
-    }
-    flight.show(flight.custom);
-    CHECK((flight.end() == (isOurs ? Status::Done : Status::Unconfirmed)));
-    CHECK(flight.commands.substr(0, 14) == "262 7, 512 436");
-    CHECK(flight.commands.find("262", 5) == std::string::npos);
-    CHECK((flight.modes.current() == static_cast<StandardMode>(flight.standard)));
-  }
+  Flown flight, taken;
+  CHECK(flight.thatSays(kSilent, kAccepted).plays("set 7, until order, shows, end") == "order 7, ask mode, Done");
+  taken.thatSays(kSilent, kAccepted).plays("set 7, until order");
+  taken.custom = kReturn;
+  taken.standard = kRecovery;
+  CHECK(taken.plays("shows, end") == "ask mode, 250 ask mode (20 times), Unconfirmed");
+  CHECK(taken.isIn(kRecovery));
 }
 
 TEST_CASE("an order without an answer, and without another mode, is given up after 5 attempts") {
   Flown flight;
-  flight.obeys = false;
-  flight.saysToSet = kSilent;
-  flight.modes.set(StandardMode::Land);
-  CHECK((flight.end() == Status::NoAnswer));
-  CHECK(flight.commands == "262 7, 262 7 again, 262 7 again, 262 7 again, 262 7 again");
+  CHECK(flight.thatDoesNot(flight.obeys).thatSays(kSilent, kAccepted).plays("set 7, end") ==
+        "order 7, 1530 order 7 again (4 times), NoAnswer");
 }
 
-TEST_CASE("a mode that is not shown is asked for every 250 ms, up to 5 s") {
+TEST_CASE("a mode that is not shown is asked for every 250 ms, up to 5 s from the acceptance of the order") {
   Flown flight;
-  flight.obeys = false;
   flight.standard = kRecovery;
-  flight.modes.set(StandardMode::Land);
-  CHECK((flight.end() == Status::Unconfirmed));
-  CHECK((flight.modes.current() == StandardMode::SafeRecovery));
-  CHECK(flight.commands.substr(0, 41) == "262 7, 512 436, 512 436, 512 436, 512 436");
-  const size_t first = flight.times.find(' ');
-  const unsigned long asked = std::stoul(flight.times.substr(first));
-  size_t end;
-  std::stoul(flight.times.substr(first), &end);
-  const unsigned long again = std::stoul(flight.times.substr(first + end));
-  CHECK(again - asked >= 250);
-  CHECK(again - asked <= 256);
-  CHECK(flight.nowMs() - flight.fromMs >= 5000);
-  CHECK(flight.nowMs() - flight.fromMs <= 5400);
+  CHECK(flight.thatDoesNot(flight.obeys).plays("set 7, end") ==
+        "order 7, ask mode, 250 ask mode (20 times), Unconfirmed");
+  CHECK(flight.isIn(kRecovery));
   // One that comes to it meanwhile is done.
   Flown late;
-  late.obeys = false;
-  late.modes.set(StandardMode::Land);
-  late.pass(2000);
+  late.thatDoesNot(late.obeys).plays("set 7, wait 2000");
   late.standard = kLandMode;
-  CHECK((late.end() == Status::Done));
-  CHECK(late.nowMs() - late.fromMs <= 2400);
-}
-
-TEST_CASE("the 5 s count from the acceptance of the order") {
-  Flown flight;
-  flight.obeys = false;
-  flight.saysToSet = MAV_RESULT_IN_PROGRESS;
-  flight.modes.set(StandardMode::Land);
-  flight.pass(3000);
-  CHECK(flight.commands == "262 7");
-  flight.answer(kSet, kAccepted);
-  CHECK((flight.end() == Status::Unconfirmed));
-  CHECK(flight.nowMs() - flight.fromMs >= 8000);
-  CHECK(flight.nowMs() - flight.fromMs <= 8400);
+  CHECK(late.plays("end") == "ask mode, Done");
+  Flown slow;
+  CHECK(slow.thatDoesNot(slow.obeys).thatSays(MAV_RESULT_IN_PROGRESS, kAccepted).plays("set 7, wait 3000") ==
+        "order 7");
+  CHECK(slow.plays("accepts, end") == "ask mode, 250 ask mode (20 times), Unconfirmed");
 }
 
 TEST_CASE("an autopilot that does not tell its mode leaves it unconfirmed") {
   for (uint8_t result : {kDenied, kSilent, kAccepted}) {
     CAPTURE(int{result});
     Flown flight;
-    flight.saysToAsk = result;
-    flight.tells = false;
-    flight.modes.set(StandardMode::Land);
-    CHECK((flight.end() == Status::Unconfirmed));
-    const uint32_t tookMs = flight.nowMs() - flight.fromMs;
-    CHECK((result == kDenied ? tookMs < 200 : tookMs > 6000));
+    flight.thatDoesNot(flight.tells).thatSays(kAccepted, result).plays("set 7, end");
+    CHECK((flight.ended == Status::Unconfirmed));
+    CHECK((result == kDenied ? flight.tookMs < 200 : flight.tookMs > 6000));
   }
 }
 
 TEST_CASE("a mode that is told without the answer to the question is not enough: it may be older") {
   Flown flight;
-  flight.saysToAsk = kSilent;
-  flight.modes.set(StandardMode::Land);
-  flight.pass(1000);
-  CHECK(flight.client.isBusy());
-  CHECK((flight.modes.current() == StandardMode::Land));
-  flight.answer(kAsk, kAccepted);
-  flight.pass(100);
-  CHECK((flight.ended == Status::Done));
+  CHECK(flight.thatSays(kAccepted, kSilent).plays("set 7, wait 1000") == "order 7, ask mode");
+  CHECK(flight.isIn(kLandMode));
+  CHECK(flight.plays("answers, wait 100") == "Done");
 }
 
 TEST_CASE("the mode is that of the last CURRENT_MODE, asked for or not, and of nobody else's") {
   Flown flight;
-  flight.tellCurrent(kRecovery);
-  flight.pass(5);
-  CHECK((flight.modes.current() == StandardMode::SafeRecovery));
-  flight.tellCurrent(kLandMode, 2);
-  flight.pass(5);
-  CHECK((flight.modes.current() == StandardMode::SafeRecovery));
+  flight.plays("mode 5, wait 5");
+  CHECK(flight.isIn(kRecovery));
+  flight.plays("foreign 7, wait 5");
+  CHECK(flight.isIn(kRecovery));
 }
 
 // --- Reading
@@ -347,98 +322,62 @@ TEST_CASE("an entry of the list is read by its number, and described") {
   flight.entry.properties = MAV_MODE_PROPERTY_NOT_USER_SELECTABLE;
   const std::string name(35, 'n');
   memcpy(flight.entry.mode_name, name.data(), name.size());
-  flight.modes.read(3);
-  CHECK((flight.end() == Status::Done));
-  CHECK(flight.commands == "512 435 3");
+  CHECK(flight.plays("read 3, end") == "ask entry 3, Done");
   CHECK(flight.modes.count() == 9);
   CHECK((flight.modes.mode() == StandardMode::Land));
   CHECK(flight.modes.customMode() == 0x01020304);
   CHECK_FALSE(flight.modes.isSelectable());
   CHECK(flight.modes.name() == name);
-  flight.begin();
   flight.entry.properties = MAV_MODE_PROPERTY_ADVANCED;
   memset(flight.entry.mode_name, 0, sizeof(flight.entry.mode_name));
   memcpy(flight.entry.mode_name, "Hold", 4);
-  flight.modes.read(255);
-  CHECK((flight.end() == Status::Done));
-  CHECK(flight.commands == "512 435 255");
+  CHECK(flight.plays("read 255, end") == "ask entry 255, Done");
   CHECK(flight.modes.isSelectable());
   CHECK(std::string(flight.modes.name()) == "Hold");
-  flight.begin();
-  flight.saysToAsk = kDenied;
-  flight.tells = false;
-  flight.modes.read(0);  // there is none: it is asked for the last number, which no list has
-  CHECK((flight.end() == Status::CommandDenied));
-  CHECK(flight.commands == "512 435 255");
+  // There is none 0: it is asked for the last number, which no list has.
+  CHECK(flight.thatDoesNot(flight.tells).thatSays(kAccepted, kDenied).plays("read 0, end") ==
+        "ask entry 255, CommandDenied");
   CHECK(flight.modes.count() == 9);
 }
 
 TEST_CASE("an entry that another client has asked for, or another autopilot's, is not taken") {
   Flown flight;
-  flight.tells = false;
   flight.entry.number_modes = 9;
-  flight.modes.read(3);
-  flight.pass(50);
-  flight.tellEntry(4);
-  flight.tellEntry(2);
-  flight.tellEntry(3, 2);
-  flight.pass(50);
-  CHECK(flight.client.isBusy());
+  CHECK(flight.thatDoesNot(flight.tells).plays("read 3, wait 50, entry 4, entry 2, strange 3, wait 50") ==
+        "ask entry 3");
   CHECK(flight.modes.count() == 0);
-  flight.tellEntry(3);
-  flight.pass(5);
-  CHECK((flight.ended == Status::Done));
+  CHECK(flight.plays("entry 3, wait 5") == "Done");
   CHECK(flight.modes.count() == 9);
 }
 
 TEST_CASE("an entry without an answer, or an answer without an entry, is not done") {
-  Flown silent;
-  silent.saysToAsk = kSilent;
-  silent.modes.read(3);
-  silent.pass(500);
-  CHECK(silent.client.isBusy());
-  silent.answer(kAsk, kAccepted);
-  silent.pass(5);
-  CHECK((silent.ended == Status::Done));
-  Flown empty;
-  empty.tells = false;
-  empty.modes.read(3);
-  CHECK((empty.end() == Status::Unconfirmed));
-  CHECK(empty.nowMs() - empty.fromMs > 6000);
-  Flown nobody;
-  nobody.tells = false;
-  nobody.saysToAsk = kSilent;
-  nobody.modes.read(3);
-  CHECK((nobody.end() == Status::NoAnswer));
+  Flown silent, empty, nobody;
+  CHECK(silent.thatSays(kAccepted, kSilent).plays("read 3, wait 500") == "ask entry 3");
+  CHECK(silent.plays("answers, wait 5") == "Done");
+  CHECK(empty.thatDoesNot(empty.tells).plays("read 3, end") ==
+        "ask entry 3, 1500 ask entry 3 again (4 times), Unconfirmed");
+  CHECK(nobody.thatDoesNot(nobody.tells).thatSays(kAccepted, kSilent).plays("read 3, end") ==
+        "ask entry 3, 1500 ask entry 3 again (4 times), NoAnswer");
 }
 
 TEST_CASE("what has come for an operation before counts for no other") {
   Flown flight;
-  flight.modes.read(3);
-  CHECK((flight.end() == Status::Done));
-  flight.begin();
+  CHECK(flight.plays("read 3, end") == "ask entry 3, Done");
   flight.tells = false;
-  flight.modes.read(3);
-  flight.pass(3000);
+  flight.plays("read 3, wait 3000");
   CHECK(flight.client.isBusy());
   flight.client.cancel();
-  flight.pass(25000);
+  flight.plays("wait 25000");
   flight.tells = true;
-  flight.begin();
-  flight.modes.set(StandardMode::Land);
-  CHECK((flight.end() == Status::Done));
-  flight.begin();
-  flight.saysToAsk = kSilent;
-  flight.tells = false;
-  flight.modes.set(StandardMode::Orbit);
-  CHECK((flight.end() == Status::Unconfirmed));
+  CHECK(flight.plays("set 7, end") == "order 7, ask mode, Done");
+  flight.thatDoesNot(flight.tells).thatSays(kAccepted, kSilent).plays("set 2, end");
+  CHECK((flight.ended == Status::Unconfirmed));
 }
 
 TEST_CASE("while another operation runs none begins, and what runs is not changed") {
   Flown flight;
-  flight.modes.read(3);
+  flight.plays("read 3");
   CHECK((flight.modes.read(5) == Status::Busy));
   CHECK((flight.modes.set(StandardMode::Orbit) == Status::Busy));
-  CHECK((flight.end() == Status::Done));
-  CHECK(flight.commands == "512 435 3");
+  CHECK(flight.plays("end") == "ask entry 3, Done");
 }
