@@ -31,6 +31,7 @@ SWITCHED = {f"{macro}={on}": {macro: on} for macro, (least, most) in LIMITS.item
             for on in range(1, most + 1)}  # fmt: skip
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
 UNITS = ("frame_parser", "wire_plan", "outbox")
+SHARED = [HOST / f"{name}.cpp" for name in ("Script", "Names", "Frames")]
 # These are of the first folders of the library, which use none of the others.
 PARTS = [source for folder in ("base", "signing", "item", "autopilot", "link", "plan")
          for source in sorted((LIBRARY / "mavmission" / folder).glob("*.cpp"))]  # fmt: skip
@@ -82,7 +83,7 @@ def test_one_autopilot_alone_excludes_others_in_words(two):
 def test_parts_work_at_the_limits(end, tmp_path):
     defines = {macro: limits[end] for macro, limits in LIMITS.items() if macro not in ONLY}
     sources = [HOST / "units" / f"{unit}.cpp" for unit in UNITS]
-    program = build_with_macros(tmp_path, [*sources, HOST / "Frames.cpp", *PARTS], defines)
+    program = build_with_macros(tmp_path, [*sources, *SHARED, *PARTS], defines)
     for unit in UNITS:
         assert cases_of(unit) > 0
         assert run_unit(program, unit, tmp_path) == (0, cases_of(unit))
