@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "Script.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
@@ -15,40 +16,102 @@ namespace {
 
 constexpr uint16_t kCommandAck = 77;
 constexpr uint16_t kWinch = 42600, kGripper = 211;
+const char* const kResults[] = {"accepted", "rejected", "denied", "unsupported", "failed", "in progress"};
 
-struct Sender {
+struct Address {
   uint8_t systemId, componentId;
 };
-constexpr Sender kStation = {255, 190}, kPilot = {1, 1};
+constexpr Address kStation = {255, 190}, kPilot = {1, 1}, kUs = {1, 191};
+
+template <typename Message>
+Bytes bytesOf(const Message& message) {
+  Bytes bytes(sizeof(message));
+  memcpy(bytes.data(), &message, sizeof(message));
+  return bytes;
+}
 
 struct Carrier : ClientOnLine {
   Payload payload;
-  PayloadAnswer toGive = PayloadAnswer::Accepted;
   std::vector<PayloadCommand> carried;
 
   explicit Carrier(bool hasFunction = true)
       : ClientOnLine(kArduPilot), payload(client, hasFunction ? carryOut : nullptr, this) {
-    pass(3000);
-    sent.clear();
+    plays("wait 3000");
   }
 
+  // What is carried out, "winch 1", and what is answered, "accepted", "in progress 40", "failed to 1/1" if not to the
+  // station; each behind the milliseconds since the one before. When this happens:
+  // winch N, gripper N: the station orders that, with this first parameter; again: for the second time
+  // wait N: N ms pass, as in loop()
+  // gives X: what the function returns from now on; progress N, finish X: the sketch says so
+  std::string plays(const std::string& script) {
+    said_ = Transcript();
+    spokeMs_ = nowMs();
+    for (const Event& event : eventsOf(script)) {
+      const size_t blank = event.what.find(' ');
+      const std::string verb = event.what.substr(0, blank);
+      const std::string object = blank == std::string::npos ? "" : event.what.substr(blank + 1);
+      if (verb == "winch") order(kWinch, static_cast<float>(event.number), object == "again");
+      if (verb == "gripper") order(kGripper, static_cast<float>(event.number), object == "again");
+      if (verb == "gives") toGive_ = answerOf(object);
+      if (verb == "progress") payload.progress(static_cast<uint8_t>(event.number));
+      if (verb == "finish") payload.finish(answerOf(object));
+      pass(verb == "wait" ? event.number : verb == "finish" ? 2 : 0);
+    }
+    return said_.text();
+  }
+  std::string orders(uint16_t id, float first, bool again, Address from, Address to = kUs) {
+    said_ = Transcript();
+    spokeMs_ = nowMs();
+    order(id, first, again, from, to);
+    return said_.text();
+  }
+
+ private:
+  PayloadAnswer toGive_ = PayloadAnswer::Accepted;
+  Transcript said_;
+  uint32_t spokeMs_ = 0;
+
+  static PayloadAnswer answerOf(const std::string& word) {
+    uint8_t result = 0;
+    while (word != kResults[result]) REQUIRE(++result < 6);
+    return static_cast<PayloadAnswer>(result);
+  }
   static PayloadAnswer carryOut(void* context, const PayloadCommand& command) {
     Carrier& self = *static_cast<Carrier*>(context);
     self.carried.push_back(command);
-    return self.toGive;
+    const std::string what = command.id == kWinch ? "winch " : "gripper ";
+    self.said_.note(what + std::to_string(static_cast<int>(command.param[0])), self.sinceSpoken());
+    return self.toGive_;
   }
-
+  uint32_t sinceSpoken() {
+    const uint32_t ms = nowMs() - spokeMs_;
+    spokeMs_ = nowMs();
+    return ms < 10 ? 0 : ms;
+  }
   // As loop() does.
   void pass(uint32_t ms) {
-    for (; ms != 0; --ms) {
-      run(1);
+    for (uint32_t passed = 0; passed <= ms; ++passed) {
+      run(passed == ms ? 0 : 1);
       payload.update();
+      for (const SentFrame& frame : sent) note(frame);
+      sent.clear();
     }
-    run(0);
   }
-
-  void order(uint16_t id, float first, uint8_t confirmation = 0, Sender from = kStation, uint8_t system = 1,
-             uint8_t component = 191) {
+  void note(const SentFrame& frame) {
+    if (frame.messageId != kCommandAck) return;
+    mavlink_command_ack_t message;
+    memcpy(&message, frame.payload.data(), sizeof(message));
+    CHECK(int32_t{message.result_param2} == 0);
+    CHECK((message.command == kWinch || message.command == kGripper || message.command == 0));
+    std::string text = message.command == kGripper ? "gripper " : "";
+    text += message.command == 0 ? "another" : kResults[message.result];
+    if (message.progress != 0) text += " " + std::to_string(uint8_t{message.progress});
+    const std::string to =
+        std::to_string(uint8_t{message.target_system}) + "/" + std::to_string(uint8_t{message.target_component});
+    said_.note(to == "255/190" ? text : text + " to " + to, sinceSpoken());
+  }
+  void order(uint16_t id, float first, bool again, Address from = kStation, Address to = kUs) {
     mavlink_command_long_t message = mavlink_command_long_t();
     message.param1 = first;
     message.param2 = 2;
@@ -58,35 +121,15 @@ struct Carrier : ClientOnLine {
     message.param6 = 6;
     message.param7 = 7;
     message.command = id;
-    message.target_system = system;
-    message.target_component = component;
-    message.confirmation = confirmation;
-    Bytes bytes(sizeof(message));
-    memcpy(bytes.data(), &message, sizeof(message));
-    FrameParts parts(76, bytes, 152);
+    message.target_system = to.systemId;
+    message.target_component = to.componentId;
+    message.confirmation = again ? 1 : 0;
+    FrameParts parts(76, bytesOf(message), 152);
     parts.systemId = from.systemId;
     parts.componentId = from.componentId;
     hear(parts);
     client.update();  // reads the frame; what it has no time for, the next one does
-    pass(1);
-  }
-
-  // The answers since the last call, each as "command result progress to system/component".
-  std::string answers() {
     pass(2);
-    std::string text;
-    for (const SentFrame& frame : sent) {
-      if (frame.messageId != kCommandAck) continue;
-      mavlink_command_ack_t message;
-      memcpy(&message, frame.payload.data(), sizeof(message));
-      if (!text.empty()) text += ", ";
-      text += std::to_string(uint16_t{message.command}) + " " + std::to_string(uint8_t{message.result}) + " " +
-              std::to_string(uint8_t{message.progress}) + " to " + std::to_string(uint8_t{message.target_system}) +
-              "/" + std::to_string(uint8_t{message.target_component});
-      CHECK(int32_t{message.result_param2} == 0);
-    }
-    sent.clear();
-    return text;
   }
 };
 
@@ -94,7 +137,7 @@ struct Carrier : ClientOnLine {
 
 TEST_CASE("a command to this component is carried out once, with all its fields, and its sender is answered") {
   Carrier carrier;
-  carrier.order(kWinch, 1.5f);
+  CHECK(carrier.orders(kWinch, 1.5f, false, kStation) == "winch 1, accepted");
   REQUIRE(carrier.carried.size() == 1);
   const PayloadCommand& command = carrier.carried[0];
   CHECK(command.id == kWinch);
@@ -103,226 +146,127 @@ TEST_CASE("a command to this component is carried out once, with all its fields,
   CHECK(command.systemId == 255);
   CHECK(command.componentId == 190);
   CHECK_FALSE(command.isForAll);
-  CHECK(carrier.answers() == "42600 0 0 to 255/190");
-  carrier.pass(6000);
-  CHECK(carrier.carried.size() == 1);
-  CHECK(carrier.answers() == "");
+  CHECK(carrier.plays("wait 6000") == "");
 }
 
-TEST_CASE("the function runs in Payload::update(), not while the client reads") {
+TEST_CASE("the function runs in Payload::update(), not while the client reads, and then for the first command alone") {
   Carrier carrier;
-  carrier.order(kWinch, 1);
-  CHECK(carrier.carried.size() == 1);
   mavlink_command_long_t message = mavlink_command_long_t();
-  message.command = kGripper;
   message.target_system = 1;
   message.target_component = 191;
-  Bytes bytes(sizeof(message));
-  memcpy(bytes.data(), &message, sizeof(message));
-  carrier.hear(FrameParts(76, bytes, 152));
+  for (uint16_t id : {kWinch, kGripper}) {
+    message.command = id;
+    carrier.hear(FrameParts(76, bytesOf(message), 152));
+  }
   carrier.run(10);
-  CHECK(carrier.carried.size() == 1);
-  carrier.payload.update();
-  CHECK(carrier.carried.size() == 2);
+  CHECK(carrier.carried.empty());
+  CHECK(carrier.plays("wait 5") == "winch 0, accepted to 1/1");  // the other one is left to its sender to repeat
 }
 
 TEST_CASE("each answer of the function is the result") {
   for (uint8_t result = 0; result < 5; ++result) {
     Carrier carrier;
-    carrier.toGive = static_cast<PayloadAnswer>(result);
-    carrier.order(kWinch, 1, 0, kPilot);
-    CHECK(carrier.answers() == "42600 " + std::to_string(result) + " 0 to 1/1");
+    carrier.plays(std::string("gives ") + kResults[result]);
+    CHECK(carrier.orders(kWinch, 1, false, kPilot) == std::string("winch 1, ") + kResults[result] + " to 1/1");
     CHECK_FALSE(carrier.payload.isBusy());
   }
 }
 
 TEST_CASE("a command to another component or another system is none of ours") {
   Carrier carrier;
-  carrier.order(kWinch, 1, 0, kStation, 1, 192);
-  carrier.order(kWinch, 1, 0, kStation, 2, 191);
-  CHECK(carrier.carried.empty());
-  CHECK(carrier.answers() == "");
+  CHECK(carrier.orders(kWinch, 1, false, kStation, {1, 192}) == "");
+  CHECK(carrier.orders(kWinch, 1, false, kStation, {2, 191}) == "");
 }
 
 TEST_CASE("a command to all components is answered unless this payload has no such command") {
   Carrier carrier;
-  carrier.order(kWinch, 1, 0, kStation, 1, 0);
-  REQUIRE(carrier.carried.size() == 1);
+  CHECK(carrier.orders(kWinch, 1, false, kStation, {1, 0}) == "winch 1, accepted");
   CHECK(carrier.carried[0].isForAll);
-  CHECK(carrier.answers() == "42600 0 0 to 255/190");
-  carrier.toGive = PayloadAnswer::Unsupported;
-  carrier.order(kWinch, 2, 0, kStation, 1, 0);
-  CHECK(carrier.answers() == "");
-  carrier.order(kWinch, 2, 0, kStation, 1, 191);
-  CHECK(carrier.answers() == "42600 3 0 to 255/190");
-  CHECK(carrier.carried.size() == 3);
-}
-
-TEST_CASE("without a function no command is supported") {
-  Carrier carrier(false);
-  carrier.order(kWinch, 1);
-  CHECK(carrier.answers() == "42600 3 0 to 255/190");
+  carrier.plays("gives unsupported");
+  CHECK(carrier.orders(kWinch, 2, false, kStation, {1, 0}) == "winch 2");
+  CHECK(carrier.orders(kWinch, 2, false, kStation) == "winch 2, unsupported");
+  CHECK(Carrier(false).plays("winch 1") == "unsupported");  // without a function there is none
 }
 
 TEST_CASE("a repeat gets the same answer, and is not carried out, up to 5 s behind the answer") {
   Carrier carrier;
-  carrier.toGive = PayloadAnswer::Failed;
-  carrier.order(kWinch, 1);  // it is answered when the time is what it is now
-  const uint32_t answeredMs = carrier.nowMs();
-  carrier.toGive = PayloadAnswer::Accepted;
-  carrier.pass(2999);
-  carrier.sent.clear();
-  carrier.order(kWinch, 1, 1);
-  CHECK(carrier.answers() == "42600 4 0 to 255/190");
-  carrier.pass(answeredMs + 4998 - carrier.nowMs());
-  carrier.order(kWinch, 1, 2);
-  CHECK(carrier.nowMs() == answeredMs + 4999);
-  CHECK(carrier.answers() == "42600 4 0 to 255/190");
-  CHECK(carrier.carried.size() == 1);
-}
-
-TEST_CASE("5 s behind the answer a repeat is another command, whose first copy was lost") {
-  Carrier carrier;
-  carrier.toGive = PayloadAnswer::Failed;
-  carrier.order(kWinch, 1);
-  const uint32_t answeredMs = carrier.nowMs();
-  carrier.toGive = PayloadAnswer::Accepted;
-  carrier.pass(5000);
-  CHECK(carrier.nowMs() == answeredMs + 5000);
-  carrier.sent.clear();
-  carrier.order(kWinch, 1, 1);
-  CHECK(carrier.answers() == "42600 0 0 to 255/190");
-  CHECK(carrier.carried.size() == 2);
+  CHECK(carrier.plays(
+            "wait 500, gives failed, winch 1, gives accepted, wait 2999, winch again 1, wait 1996, winch again 1") ==
+        "501 winch 1, failed, 3001 failed, 1998 failed");
+  // Then a repeat is another command, whose first copy was lost.
+  Carrier late;
+  CHECK(late.plays("wait 500, gives failed, winch 1, gives accepted, wait 4999, winch again 1") ==
+        "501 winch 1, failed, 5000 winch 1, accepted");
 }
 
 TEST_CASE("a command is another one by its number, its parameters, its sender, or as no repeat") {
   Carrier carrier;
-  carrier.order(kWinch, 1);
-  CHECK(carrier.carried.size() == 1);
-  carrier.order(kGripper, 1, 1);
-  CHECK(carrier.carried.size() == 2);
-  carrier.order(kWinch, 1.25f, 1);
-  CHECK(carrier.carried.size() == 3);
+  CHECK(carrier.plays("winch 1, gripper again 1, winch again 2") ==
+        "winch 1, accepted, gripper 1, gripper accepted, winch 2, accepted");
   Carrier others;
-  others.order(kWinch, 1);
-  others.order(kWinch, 1, 1, {254, 190});
-  CHECK(others.carried.size() == 2);
-  others.order(kWinch, 1, 1, {255, 191});
-  CHECK(others.carried.size() == 3);
-  others.order(kWinch, 1, 0);
-  CHECK(others.carried.size() == 4);
-  others.order(kWinch, 1, 1);
-  CHECK(others.carried.size() == 4);
+  CHECK(others.plays("winch 1") == "winch 1, accepted");
+  CHECK(others.orders(kWinch, 1.25f, true, kStation) == "winch 1, accepted");
+  CHECK(others.orders(kWinch, 1, true, {254, 190}) == "winch 1, accepted to 254/190");
+  CHECK(others.orders(kWinch, 1, true, {255, 191}) == "winch 1, accepted to 255/191");
+  CHECK(others.plays("winch 1, winch again 1") == "winch 1, accepted (2 times)");
 }
 
 TEST_CASE("a command in progress tells how far it is once a second, and how it has ended") {
   Carrier carrier;
-  carrier.toGive = PayloadAnswer::InProgress;
-  carrier.order(kWinch, 1);
-  const uint32_t toldMs = carrier.nowMs() + 1;
+  CHECK(carrier.plays("gives in progress, winch 1") == "winch 1, in progress");
   CHECK(carrier.payload.isBusy());
-  CHECK(carrier.answers() == "42600 5 0 to 255/190");
-  carrier.payload.progress(40);
-  carrier.pass(3100);
-  const std::vector<uint32_t> times = carrier.timesOf(kCommandAck, toldMs);
-  REQUIRE(times.size() == 3);
-  CHECK(times[0] == 1000);
-  CHECK(times[1] == 2000);
-  CHECK(times[2] == 3000);
-  CHECK(carrier.answers() == "42600 5 40 to 255/190, 42600 5 40 to 255/190, 42600 5 40 to 255/190");
-  carrier.order(kWinch, 1, 1);  // a repeat
-  CHECK(carrier.answers() == "42600 5 40 to 255/190");
-  carrier.payload.finish(PayloadAnswer::InProgress);
+  CHECK(carrier.plays("progress 40, wait 3100") == "1000 in progress 40 (3 times)");
+  CHECK(carrier.plays("winch again 1") == "in progress 40");
+  CHECK(carrier.plays("finish in progress") == "");
   CHECK(carrier.payload.isBusy());
-  carrier.payload.finish(PayloadAnswer::Failed);
+  CHECK(carrier.plays("finish failed") == "failed");
   CHECK_FALSE(carrier.payload.isBusy());
-  CHECK(carrier.answers() == "42600 4 0 to 255/190");
-  carrier.payload.finish(PayloadAnswer::Accepted);
-  CHECK(carrier.answers() == "");
-  CHECK(carrier.carried.size() == 1);
-  carrier.order(kWinch, 1);
-  CHECK(carrier.answers() == "42600 5 0 to 255/190");  // it begins at 0 again
+  CHECK(carrier.plays("finish accepted") == "");
+  CHECK(carrier.plays("winch 1") == "winch 1, in progress");  // it begins at 0 again
 }
 
 TEST_CASE("a repeat behind a long command still gets its end, and only for 5 s from then on") {
   Carrier carrier;
-  carrier.toGive = PayloadAnswer::InProgress;
-  carrier.order(kWinch, 1);
-  carrier.pass(7500);
-  carrier.payload.finish(PayloadAnswer::Accepted);
+  carrier.plays("gives in progress, winch 1, wait 7500, finish accepted");
   const uint32_t finishedMs = carrier.nowMs();
-  carrier.pass(4998);
-  carrier.sent.clear();
-  carrier.order(kWinch, 1, 3);
-  CHECK(carrier.nowMs() == finishedMs + 4999);
-  CHECK(carrier.answers() == "42600 0 0 to 255/190");
-  CHECK(carrier.carried.size() == 1);
+  CHECK(carrier.plays("wait 4990, winch again 1") == "4992 accepted");
+  carrier.plays("wait " + std::to_string(finishedMs + 5000 - carrier.nowMs()));
+  CHECK(carrier.plays("winch again 1") == "winch 1, in progress");
 }
 
 TEST_CASE("while a command is in progress another one may be carried out, but not be in progress too") {
   Carrier carrier;
-  carrier.toGive = PayloadAnswer::InProgress;
-  carrier.order(kWinch, 1);
-  CHECK(carrier.answers() == "42600 5 0 to 255/190");
-  carrier.payload.progress(30);
-  carrier.order(kGripper, 1);
-  CHECK(carrier.answers() == "211 1 0 to 255/190");
-  carrier.toGive = PayloadAnswer::Accepted;
-  carrier.order(kGripper, 2);
-  CHECK(carrier.answers() == "211 0 0 to 255/190");
+  carrier.plays("gives in progress, winch 1, progress 30");
+  CHECK(carrier.plays("gripper 1") == "gripper 1, gripper rejected");
+  CHECK(carrier.plays("gives accepted, gripper 2") == "gripper 2, gripper accepted");
   CHECK(carrier.payload.isBusy());
-  carrier.pass(1000);
-  CHECK(carrier.answers() == "42600 5 30 to 255/190");
+  CHECK(carrier.plays("wait 1000") == "996 in progress 30");
 }
 
 TEST_CASE("four commands may be repeated; the fifth takes the place of the one that was answered first") {
   Carrier carrier;
-  for (int i = 0; i < 4; ++i) {
-    carrier.order(kWinch, static_cast<float>(i));
-    carrier.pass(10);
-  }
-  for (int i = 0; i < 4; ++i) carrier.order(kWinch, static_cast<float>(i), 1);
-  CHECK(carrier.carried.size() == 4);
-  carrier.order(kWinch, 4);
-  CHECK(carrier.carried.size() == 5);
-  for (int i = 1; i < 5; ++i) carrier.order(kWinch, static_cast<float>(i), 1);
-  CHECK(carrier.carried.size() == 5);
-  carrier.order(kWinch, 0, 1);  // it is forgotten
-  CHECK(carrier.carried.size() == 6);
-  carrier.order(kWinch, 2, 1);  // and took the place of the next one
-  CHECK(carrier.carried.size() == 6);
-  carrier.order(kWinch, 1, 1);
-  CHECK(carrier.carried.size() == 7);
+  carrier.plays("winch 0, wait 10, winch 1, wait 10, winch 2, wait 10, winch 3, wait 10");
+  CHECK(carrier.plays("winch again 0 to 3") == "accepted (4 times)");
+  CHECK(carrier.plays("winch 4, winch again 1 to 4") == "winch 4, accepted (5 times)");
+  CHECK(carrier.plays("winch again 0") == "winch 0, accepted");  // it is forgotten
+  CHECK(carrier.plays("winch again 2") == "accepted");           // and took the place of the next one
+  CHECK(carrier.plays("winch again 1") == "winch 1, accepted");
 }
 
 TEST_CASE("the one in progress keeps its place") {
   Carrier carrier;
-  carrier.toGive = PayloadAnswer::InProgress;
-  carrier.order(kWinch, 100);
-  carrier.toGive = PayloadAnswer::Accepted;
-  for (int i = 0; i < 8; ++i) {
-    carrier.pass(10);
-    carrier.order(kWinch, static_cast<float>(i));
-  }
-  CHECK(carrier.payload.isBusy());
+  carrier.plays("gives in progress, winch 100, gives accepted, " + times(8, "wait 10, winch 7"));
   CHECK(carrier.carried.size() == 9);
-  carrier.answers();
-  carrier.payload.finish(PayloadAnswer::Denied);
-  CHECK(carrier.answers() == "42600 2 0 to 255/190");
+  CHECK(carrier.payload.isBusy());
+  CHECK(carrier.plays("finish denied") == "denied");
 }
 
 TEST_CASE("an empty place is taken before one whose command may be repeated") {
   Carrier carrier;
-  carrier.order(kWinch, 0);
-  carrier.pass(4000);
-  carrier.order(kWinch, 1);
-  carrier.order(kWinch, 2);
-  carrier.order(kWinch, 3);
-  carrier.pass(1200);  // the first is forgotten, and it alone
-  carrier.order(kWinch, 4);
-  CHECK(carrier.carried.size() == 5);
-  for (int i = 1; i < 5; ++i) carrier.order(kWinch, static_cast<float>(i), 1);
-  CHECK(carrier.carried.size() == 5);
+  carrier.plays("winch 0, wait 4000, winch 1 to 3");
+  // The first is forgotten, and it alone.
+  CHECK(carrier.plays("wait 1200, winch 4") == "1201 winch 4, accepted");
+  CHECK(carrier.plays("winch again 1 to 4") == "accepted (4 times)");
 }
 
 TEST_CASE("an answer that cannot leave yet is not lost, and its command is not forgotten") {
@@ -331,35 +275,11 @@ TEST_CASE("an answer that cannot leave yet is not lost, and its command is not f
   mavlink_command_ack_t other = mavlink_command_ack_t();
   const OutgoingMessage message = {77, 143, sizeof(other), 3, &other};
   REQUIRE(carrier.client.sendMessage(message));
-  for (int i = 0; i < 4; ++i) carrier.order(kWinch, static_cast<float>(i));
-  CHECK(carrier.carried.size() == 4);
-  carrier.order(kWinch, 4);  // finds no place, and no answer
-  CHECK(carrier.carried.size() == 4);
-  carrier.pass(6000);
-  CHECK(carrier.answers() == "");
+  // The fifth finds no place, and no answer.
+  CHECK(carrier.plays("winch 0 to 4, wait 6000") == "winch 0, winch 1, winch 2, winch 3");
   carrier.line.room = MemoryStream::kAlwaysRoom;
-  carrier.pass(20);
-  CHECK(carrier.answers() ==
-        "0 0 0 to 0/0, 42600 0 0 to 255/190, 42600 0 0 to 255/190, 42600 0 0 to 255/190, 42600 0 0 to 255/190");
-  carrier.order(kWinch, 0, 1);  // now it is forgotten
-  CHECK(carrier.carried.size() == 5);
-}
-
-TEST_CASE("a command that comes while another one waits for update() is left to its sender to repeat") {
-  Carrier carrier;
-  mavlink_command_long_t message = mavlink_command_long_t();
-  message.target_system = 1;
-  message.target_component = 191;
-  for (uint16_t id : {kWinch, kGripper}) {
-    message.command = id;
-    Bytes bytes(sizeof(message));
-    memcpy(bytes.data(), &message, sizeof(message));
-    carrier.hear(FrameParts(76, bytes, 152));
-  }
-  carrier.run(5);
-  carrier.pass(5);
-  REQUIRE(carrier.carried.size() == 1);
-  CHECK(carrier.carried[0].id == kWinch);
+  CHECK(carrier.plays("wait 20") == "another to 0/0, accepted (4 times)");
+  CHECK(carrier.plays("winch again 0") == "winch 0, accepted");  // now it is forgotten
 }
 
 TEST_CASE("a command with coordinates is ignored") {
@@ -368,10 +288,6 @@ TEST_CASE("a command with coordinates is ignored") {
   message.command = kWinch;
   message.target_system = 1;
   message.target_component = 191;
-  Bytes bytes(sizeof(message));
-  memcpy(bytes.data(), &message, sizeof(message));
-  carrier.hear(FrameParts(75, bytes, 158));
-  carrier.pass(5);
-  CHECK(carrier.carried.empty());
-  CHECK(carrier.answers() == "");
+  carrier.hear(FrameParts(75, bytesOf(message), 158));
+  CHECK(carrier.plays("wait 5") == "");
 }
