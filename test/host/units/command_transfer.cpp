@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <initializer_list>
+#include <string>
+
+#include "Script.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -13,84 +16,52 @@ typedef CommandTransfer::State State;
 
 constexpr uint16_t kBeganMs = 65000;  // it wraps soon
 
-// One that has been sent so many times, each when it was due, and the time of the last sending.
-CommandTransfer sentTimes(uint8_t times, bool repeats, uint16_t& nowMs) {
-  CommandTransfer transfer = CommandTransfer();
-  nowMs = kBeganMs;
-  transfer.next(repeats);
-  for (uint8_t i = 0; i < times; ++i) {
-    if (i != 0) nowMs = static_cast<uint16_t>(nowMs + CommandTransfer::kAnswerMs);
-    CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
-    REQUIRE(transfer.isDue());
-    transfer.sent(nowMs);
-  }
-  return transfer;
-}
+uint16_t later(uint16_t nowMs, uint32_t ms) { return static_cast<uint16_t>(nowMs + ms); }
 
-uint16_t later(uint16_t nowMs, uint16_t ms) { return static_cast<uint16_t>(nowMs + ms); }
+// A command that leaves whenever it is due, and its clock.
+class Command {
+ public:
+  CommandTransfer transfer = CommandTransfer();
+  uint16_t nowMs = kBeganMs;
+
+  // When it leaves and how it ends, each behind the milliseconds since the one before, when this happens:
+  // command, once: the next one begins, which may be repeated or not; listen N, pause N: in the place of that
+  // wait N: N ms pass; silence: until it ends
+  // progress; accepted: the answer to an order, found: to a question; slow N: its answer is waited for so long, or
+  // quick N
+  std::string plays(const std::string& script) {
+    Transcript said;
+    uint32_t sinceMs = 0;
+    Status status = Status::Transferring;
+    for (const Event& event : eventsOf(script)) {
+      const uint16_t ms = static_cast<uint16_t>(event.number);
+      if (event.is("command") || event.is("once")) transfer.next(event.is("command"));
+      if (event.is("listen")) transfer.listen(ms, nowMs);
+      if (event.is("pause")) transfer.pause(ms, nowMs);
+      if (event.is("progress")) transfer.onProgress(nowMs);
+      if (event.is("accepted") || event.is("found")) transfer.onAccepted(event.is("found"));
+      if (event.is("slow") || event.is("quick")) answerMs_ = ms;
+      const uint32_t limitMs = event.is("wait") ? event.number : event.is("silence") ? 200000 : 0;
+      for (uint32_t passed = 0; passed <= limitMs && status == Status::Transferring; ++passed) {
+        if (passed != 0) ++nowMs, ++sinceMs, status = transfer.onTime(0, nowMs);
+        const bool leaves = status == Status::Transferring && hasBegun(event) && transfer.isDue();
+        if (leaves) transfer.sent(nowMs, answerMs_);
+        if (!leaves && status == Status::Transferring) continue;
+        said.note(leaves ? "sent" : nameOf(status), sinceMs);
+        sinceMs = 0;
+      }
+    }
+    return said.text();
+  }
+
+ private:
+  uint16_t answerMs_ = CommandTransfer::kAnswerMs;
+
+  // What follows says more of the one that begins.
+  static bool hasBegun(const Event& event) { return event.is("wait") || event.is("silence") || event.is("now"); }
+};
 
 }  // namespace
-
-TEST_CASE("a command is sent every 1500 ms, five times, and then has no answer") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(CommandTransfer::kTries, true, nowMs);
-  CHECK(transfer.tries() == 5);
-  CHECK((transfer.onTime(0, later(nowMs, CommandTransfer::kAnswerMs - 1)) == Status::Transferring));
-  CHECK_FALSE(transfer.isDue());
-  CHECK(transfer.waitMs() == +CommandTransfer::kAnswerMs);
-  CHECK((transfer.onTime(0, later(nowMs, CommandTransfer::kAnswerMs)) == Status::NoAnswer));
-}
-
-TEST_CASE("a command that must not happen twice is sent once, and is unconfirmed after five seconds") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(1, false, nowMs);
-  CHECK((transfer.onTime(0, later(nowMs, CommandTransfer::kProgressMs - 1)) == Status::Transferring));
-  CHECK((transfer.onTime(0, later(nowMs, CommandTransfer::kProgressMs)) == Status::Unconfirmed));
-}
-
-TEST_CASE("progress gives five seconds more, and then it is sent again") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(2, true, nowMs);
-  nowMs = later(nowMs, 1000);
-  transfer.onProgress(nowMs);
-  CHECK((transfer.state() == State::InProgress));
-  CHECK((transfer.onTime(0, later(nowMs, 4999)) == Status::Transferring));
-  CHECK_FALSE(transfer.isDue());
-  CHECK((transfer.onTime(0, later(nowMs, 5000)) == Status::Transferring));
-  CHECK(transfer.isDue());
-}
-
-TEST_CASE("behind silence the next one is due at once") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(CommandTransfer::kTries, true, nowMs);
-  nowMs = later(nowMs, CommandTransfer::kAnswerMs);
-  CHECK((transfer.onTime(0, nowMs) == Status::NoAnswer));
-  CHECK(transfer.tries() == 0);
-  transfer.next(true);
-  CHECK(transfer.isDue());
-}
-
-TEST_CASE("what listens sends nothing, and is unconfirmed in the end") {
-  CommandTransfer transfer = CommandTransfer();
-  transfer.next(true);
-  transfer.listen(7500, kBeganMs);
-  CHECK_FALSE(transfer.isDue());
-  CHECK((transfer.onTime(0, later(kBeganMs, 7499)) == Status::Transferring));
-  CHECK((transfer.onTime(0, later(kBeganMs, 7500)) == Status::Unconfirmed));
-}
-
-TEST_CASE("behind a pause it is sent, with all its attempts") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(1, true, nowMs);
-  transfer.next(true);
-  transfer.pause(1000, nowMs);
-  CHECK((transfer.onTime(0, later(nowMs, 999)) == Status::Transferring));
-  CHECK_FALSE(transfer.isDue());
-  nowMs = later(nowMs, 1000);
-  CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
-  CHECK(transfer.isDue());
-  CHECK(transfer.tries() == 0);
-}
 
 TEST_CASE("the times and attempts are those of the guide, and what is added to them") {
   CHECK(+CommandTransfer::kTries == 5);
@@ -98,124 +69,76 @@ TEST_CASE("the times and attempts are those of the guide, and what is added to t
   CHECK(+CommandTransfer::kProgressMs == 5000);
 }
 
-TEST_CASE("what must not happen twice is sent behind a pause, and is unconfirmed when progress falls silent") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(1, true, nowMs);
-  transfer.next(false);
-  transfer.pause(1000, nowMs);
-  CHECK((transfer.state() == State::Pausing));
-  nowMs = later(nowMs, 1000);
-  CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
-  REQUIRE(transfer.isDue());
-  transfer.sent(nowMs);
-  nowMs = later(nowMs, 3000);
-  transfer.onProgress(nowMs);
-  CHECK((transfer.onTime(0, later(nowMs, 4999)) == Status::Transferring));
-  CHECK((transfer.onTime(0, later(nowMs, 5000)) == Status::Unconfirmed));
+TEST_CASE("a command is sent every 1500 ms, five times, and then has no answer; the next one is due at once") {
+  Command one;
+  CHECK(one.plays("command, wait 7499") == "sent, 1500 sent (4 times)");
+  CHECK(one.transfer.tries() == 5);
+  CHECK(one.transfer.waitMs() == 1500);
+  CHECK(one.plays("wait 1") == "1 NoAnswer");
+  CHECK(one.transfer.tries() == 0);
+  CHECK(one.plays("command, now") == "sent");
+}
+
+TEST_CASE("a command that must not happen twice is sent once, and is unconfirmed after five seconds") {
+  CHECK(Command().plays("once, silence") == "sent, 5000 Unconfirmed");
+  CHECK(Command().plays("quick 80, once, silence") == "sent, 5000 Unconfirmed");  // on a lossy link, too
+}
+
+TEST_CASE("progress gives five seconds more, and then it is sent again, or unconfirmed if it must not happen twice") {
+  Command one;
+  CHECK(one.plays("command, wait 2500, progress") == "sent, 1500 sent");
+  CHECK((one.transfer.state() == State::InProgress));
+  CHECK(one.plays("wait 5000") == "5000 sent");
+  CHECK(Command().plays("once, wait 3000, progress, silence") == "sent, 8000 Unconfirmed");
+}
+
+TEST_CASE("what listens sends nothing, and is unconfirmed in the end") {
+  CHECK(Command().plays("command, listen 7500, silence") == "7500 Unconfirmed");
+}
+
+TEST_CASE("behind a pause it is sent, with all its attempts") {
+  Command one;
+  CHECK(one.plays("command, now, command, pause 1000") == "sent");
+  CHECK((one.transfer.state() == State::Pausing));
+  CHECK(one.plays("silence") == "1000 sent, 1500 sent (4 times), 1500 NoAnswer");
+  CHECK(Command().plays("command, now, once, pause 1000, silence") == "sent, 1000 sent, 5000 Unconfirmed");
 }
 
 TEST_CASE("whether a command may be sent again can be said before it is sent") {
   for (const bool repeats : {false, true}) {
-    CommandTransfer transfer = CommandTransfer();
-    transfer.next(!repeats);
-    transfer.setRepeats(repeats);
-    transfer.sent(kBeganMs);
-    CHECK((transfer.onTime(0, later(kBeganMs, 1499)) == Status::Transferring));
-    CHECK((transfer.onTime(0, later(kBeganMs, 1500)) == Status::Transferring));
-    CHECK((transfer.state() == (repeats ? State::Due : State::Sent)));
-    if (!repeats) CHECK((transfer.onTime(0, later(kBeganMs, 5000)) == Status::Unconfirmed));
+    Command one;
+    one.transfer.next(!repeats);
+    one.transfer.setRepeats(repeats);
+    CHECK(one.plays("wait 5000") == (repeats ? "sent, 1500 sent (3 times)" : "sent, 5000 Unconfirmed"));
   }
 }
 
 TEST_CASE("on a lossy link a command is sent again sooner, up to 100 attempts") {
-  CommandTransfer transfer = CommandTransfer();
-  uint16_t nowMs = kBeganMs;
-  transfer.next(true);
-  for (int sent = 1; sent <= 100; ++sent) {
-    REQUIRE(transfer.isDue());
-    transfer.sent(nowMs, 80);
-    nowMs = later(nowMs, 79);
-    CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
-    CHECK_FALSE(transfer.isDue());
-    nowMs = later(nowMs, 1);
-    CHECK((transfer.onTime(0, nowMs) == (sent == 100 ? Status::NoAnswer : Status::Transferring)));
-  }
+  CHECK(Command().plays("quick 80, command, silence") == "sent, 80 sent (99 times), 80 NoAnswer");
 }
 
-TEST_CASE("on a lossy link a command that must not happen twice is sent once") {
-  CommandTransfer transfer = CommandTransfer();
-  transfer.next(false);
-  transfer.sent(kBeganMs, 80);
-  CHECK((transfer.onTime(0, later(kBeganMs, CommandTransfer::kProgressMs - 1)) == Status::Transferring));
-  CHECK_FALSE(transfer.isDue());
-  CHECK((transfer.onTime(0, later(kBeganMs, CommandTransfer::kProgressMs)) == Status::Unconfirmed));
-}
-
-TEST_CASE("on a lossy link an accepted command is sent again after 1500 ms, up to 4 more times") {
-  CommandTransfer transfer = CommandTransfer();
-  uint16_t nowMs = kBeganMs;
-  transfer.next(true);
-  for (int sent = 0; sent < 30; ++sent) transfer.sent(nowMs, 80);
-  transfer.onAccepted(true);
-  for (int sent = 1; sent <= 4; ++sent) {
-    nowMs = later(nowMs, CommandTransfer::kAnswerMs - 1);
-    CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
-    CHECK_FALSE(transfer.isDue());
-    nowMs = later(nowMs, 1);
-    CHECK((transfer.onTime(0, nowMs) == (sent == 4 ? Status::NoAnswer : Status::Transferring)));
-    transfer.sent(nowMs, CommandTransfer::kAnswerMs);
-  }
-}
-
-TEST_CASE("on a lossy link the first attempt stays the first when it is accepted") {
-  CommandTransfer transfer = CommandTransfer();
-  transfer.next(true);
-  transfer.sent(kBeganMs, 80);
-  transfer.onAccepted(true);
-  CHECK(transfer.tries() == 1);
+TEST_CASE("on a lossy link an accepted question is sent again after 1500 ms, up to 4 more times") {
+  Command one;
+  CHECK(one.plays("quick 80, command, wait 2320") == "sent, 80 sent (29 times)");
+  CHECK(one.plays("found, slow 1500, silence") == "1500 sent (3 times), 1500 NoAnswer");
+  // The first attempt stays the first.
+  Command first;
+  first.plays("quick 80, command, now, found");
+  CHECK(first.transfer.tries() == 1);
 }
 
 TEST_CASE("on a lossy link an order that is accepted each time is given up behind the 16th, a question never") {
-  for (bool isQuestion : {false, true}) {
-    CommandTransfer transfer = CommandTransfer();
-    for (int command = 0; command < 2; ++command) {  // and the next one is counted anew
-      transfer.next(true);
-      uint16_t nowMs = kBeganMs;
-      for (int accepted = 1; accepted <= 16; ++accepted) {
-        transfer.sent(nowMs, 80);
-        transfer.onAccepted(isQuestion);
-        nowMs = later(nowMs, CommandTransfer::kAnswerMs - 2);
-        CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
-        CHECK_FALSE(transfer.isDue());
-        nowMs = later(nowMs, 2);
-        const bool isLast = accepted == 16 && !isQuestion;
-        CHECK((transfer.onTime(0, nowMs) == (isLast ? Status::NoAnswer : Status::Transferring)));
-      }
-    }
+  Command order, question;
+  for (int command = 0; command < 2; ++command) {  // and the next one is counted anew
+    order.plays("quick 80, command, now");
+    CHECK(order.plays(times(16, "accepted, wait 1500")) == "1499 sent (15 times), 1499 NoAnswer");
+    question.plays("quick 80, command, now");
+    CHECK(question.plays(times(16, "found, wait 1500")) == "1500 sent (16 times)");
   }
 }
 
 TEST_CASE("acceptance does not shorten the wait on a slow line") {
-  CommandTransfer transfer = CommandTransfer();
-  transfer.next(true);
-  transfer.sent(kBeganMs, 4000);
-  transfer.onAccepted(true);
-  CHECK((transfer.onTime(0, later(kBeganMs, 3999)) == Status::Transferring));
-  CHECK_FALSE(transfer.isDue());
-}
-
-TEST_CASE("on a lossy link MISSION_SET_CURRENT is sent again as soon and as often as any command") {
-  CommandTransfer transfer = CommandTransfer();
-  transfer.next(true);
-  uint16_t nowMs = kBeganMs;
-  for (int sent = 1; sent <= 100; ++sent) {
-    CHECK(transfer.isDue());
-    transfer.sent(nowMs, 80);
-    CHECK((transfer.onTime(0, later(nowMs, 79)) == Status::Transferring));
-    CHECK_FALSE(transfer.isDue());
-    nowMs = later(nowMs, 80);
-    CHECK((transfer.onTime(0, nowMs) == (sent == 100 ? Status::NoAnswer : Status::Transferring)));
-  }
+  CHECK(Command().plays("slow 4000, command, now, found, wait 4000") == "sent, 4000 sent");
 }
 
 // Heartbeats
@@ -360,8 +283,10 @@ TEST_CASE("a mode that is set again in vain is given up after 40 times, also beh
 }
 
 TEST_CASE("an order that is in doubt does not leave again, and a heartbeat is asked for up to 125 times") {
-  uint16_t nowMs;
-  CommandTransfer transfer = sentTimes(1, true, nowMs);
+  Command one;
+  one.plays("command, now");
+  CommandTransfer& transfer = one.transfer;
+  uint16_t nowMs = one.nowMs;
   transfer.onHeartbeat(nowMs);
   transfer.doubt();
   CHECK(transfer.isUrgent());

@@ -5,8 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <initializer_list>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <vector>
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -51,6 +55,12 @@ DecimalText taken(const std::string& text) {
   return decimal;
 }
 
+// Those between blanks.
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+}
+
 // The compiler's own library is exact.
 bool isNearest(const std::string& text) {
   const float expected = strtof(text.c_str(), nullptr);
@@ -60,15 +70,32 @@ bool isNearest(const std::string& text) {
   return memcmp(&value, &expected, sizeof(value)) == 0;
 }
 
-// "" if it has no such steps; "~" before those that are rounded.
-std::string steps(const std::string& text, uint8_t decimals) {
+// "none" if it has no such steps; "~" before those that are rounded.
+std::string stepsOf(const std::string& text, uint8_t decimals) {
   uint32_t magnitude = 0xA5A5A5A5;
   bool isExact = false;
-  if (!taken(text).toSteps(decimals, magnitude, isExact)) return "";
+  if (!taken(text).toSteps(decimals, magnitude, isExact)) return "none";
   char digits[kWholeText];
   printWhole(magnitude, digits);
   return (isExact ? "" : "~") + std::string(digits);
 }
+
+// The same of each text.
+std::string steps(const std::string& texts, uint8_t decimals) {
+  std::string all;
+  for (const std::string& text : wordsOf(texts)) all += (all.empty() ? "" : " ") + stepsOf(text, decimals);
+  return all;
+}
+
+// Each of the numbers, printed.
+template <typename Number>
+std::string each(std::string (*print)(Number), std::initializer_list<Number> numbers) {
+  std::string all;
+  for (Number number : numbers) all += (all.empty() ? "" : " ") + print(number);
+  return all;
+}
+std::string printed(std::initializer_list<float> values) { return each<float>(printed, values); }
+std::string degrees(std::initializer_list<int32_t> angles) { return each<int32_t>(degrees, angles); }
 
 // The text of a random number of `digits` digits with a point among them, or an exponent.
 std::string randomNumber(uint32_t& seed, uint8_t digits, int exponent) {
@@ -83,23 +110,10 @@ std::string randomNumber(uint32_t& seed, uint8_t digits, int exponent) {
 }  // namespace
 
 TEST_CASE("a float is printed as a person would write it") {
-  CHECK(printed(0) == "0");
-  CHECK(printed(-0.f) == "-0");
-  CHECK(printed(20) == "20");
-  CHECK(printed(-20.5f) == "-20.5");
-  CHECK(printed(0.1f) == "0.1");
-  CHECK(printed(0.001f) == "0.001");
-  CHECK(printed(0.0001f) == "0.0001");
-  CHECK(printed(149.165237f) == "149.16524");
-  CHECK(printed(16777216) == "16777216");
-  CHECK(printed(65535) == "65535");
-  CHECK(printed(1e9f) == "1000000000");
-  CHECK(printed(584.1f) == "584.1");
-  CHECK(printed(1e20f) == "1e20");
-  CHECK(printed(-1.5e-10f) == "-15e-11");
-  CHECK(printed(std::numeric_limits<float>::quiet_NaN()) == "nan");
-  CHECK(printed(std::numeric_limits<float>::infinity()) == "inf");
-  CHECK(printed(-std::numeric_limits<float>::infinity()) == "-inf");
+  CHECK(printed({0, -0.f, 20, -20.5f, 0.1f, 0.001f, 0.0001f}) == "0 -0 20 -20.5 0.1 0.001 0.0001");
+  CHECK(printed({149.165237f, 16777216, 65535, 1e9f, 584.1f}) == "149.16524 16777216 65535 1000000000 584.1");
+  CHECK(printed({1e20f, -1.5e-10f, std::numeric_limits<float>::quiet_NaN()}) == "1e20 -15e-11 nan");
+  CHECK(printed({std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) == "inf -inf");
 }
 
 TEST_CASE("a printed float is read as the same float, whatever it is") {
@@ -121,11 +135,8 @@ TEST_CASE("a printed float is read as the same float, whatever it is") {
 }
 
 TEST_CASE("a coordinate is printed with all its digits") {
-  CHECK(degrees(0) == "0.0000000");
-  CHECK(degrees(-5) == "-0.0000005");
-  CHECK(degrees(-353632621) == "-35.3632621");
-  CHECK(degrees(1800000000) == "180.0000000");
-  CHECK(degrees(std::numeric_limits<int32_t>::min()) == "-214.7483648");
+  CHECK(degrees({0, -5, -353632621, 1800000000}) == "0.0000000 -0.0000005 -35.3632621 180.0000000");
+  CHECK(degrees({std::numeric_limits<int32_t>::min()}) == "-214.7483648");
 }
 
 TEST_CASE("what is a number, what is a plain one, and what is none") {
@@ -153,7 +164,7 @@ TEST_CASE("what is a number, what is a plain one, and what is none") {
     CHECK_FALSE(taken(text).isNumber());
     float value = 5;
     CHECK_FALSE(taken(text).toFloat(value));
-    CHECK(steps(text, 0) == "");
+    CHECK(stepsOf(text, 0) == "none");
   }
   CHECK(taken("-1").isNegative());
   CHECK(taken("-0").isNegative());
@@ -163,69 +174,18 @@ TEST_CASE("what is a number, what is a plain one, and what is none") {
 }
 
 TEST_CASE("a text is read as the nearest float, the even one of two that are equally near") {
-  for (const char* text : {"0",
-                           "-0",
-                           "0.000",
-                           "1",
-                           "-1",
-                           "10",
-                           "0.1",
-                           ".1",
-                           "5.",
-                           "-35.3632621",
-                           "149.16523740",
-                           "16777217",
-                           "16777219",
-                           "16777216.9999999999999999999999",
-                           "16777217.0000000000000000000001",
-                           "33554433",
-                           "8388608.5",
-                           "8388609.5",
-                           "0.00000000000000000000000000001",
-                           "3.4028234e38",
-                           "3.40282346638528859811704183484516925440e38",
-                           "340282346638528859811704183484516925440",
-                           "1.401298464324817e-45",
-                           "7.0064923216240853e-46",
-                           "7.0064923216240854e-46",
-                           "7.006492321624085e-46",
-                           "7.0064923216240862e-46",
-                           "1e-45",
-                           "2e-45",
-                           "1e-46",
-                           "1.17549435e-38",
-                           "1.1754943e-38",
-                           "1.1754942e-38",
-                           "1.1754944e-38",
-                           "5.877471754111438e-39",
-                           "1e38",
-                           "1e-38",
-                           "1e10",
-                           "1e-10",
-                           "123456789012345678901234567890",
-                           "0.000000123456789012345678901234567890",
-                           "9999999999999999999e19",
-                           "9999999999999999999e-64",
-                           "1e-64",
-                           "1e-65",
-                           "9e-63",
-                           "10000000000000000000e-64",
-                           "0e99",
-                           "0.0e-99",
-                           "1000000000000000000000000e-24",
-                           "1.0000000000000000000000000e0",
-                           "1e+5",
-                           "1E-5",
-                           "1e005",
-                           "100e-2",
-                           "0.00000000000000000000000000000000000000000000001e47",
-                           "1.25e1",
-                           "-1.5e-10",
-                           "1e-999",
-                           "1e-1001",
-                           "1e-99999",
-                           "70e-46",
-                           "0.000000000000000000000000000000000000000000000000000000001e10"}) {
+  for (const std::string& text :
+       wordsOf("0 -0 0.000 1 -1 10 0.1 .1 5. -35.3632621 149.16523740 16777217 16777219 "
+               "16777216.9999999999999999999999 16777217.0000000000000000000001 33554433 8388608.5 8388609.5 "
+               "0.00000000000000000000000000001 3.4028234e38 3.40282346638528859811704183484516925440e38 "
+               "340282346638528859811704183484516925440 1.401298464324817e-45 7.0064923216240853e-46 "
+               "7.0064923216240854e-46 7.006492321624085e-46 7.0064923216240862e-46 1e-45 2e-45 1e-46 1.17549435e-38 "
+               "1.1754943e-38 1.1754942e-38 1.1754944e-38 5.877471754111438e-39 1e38 1e-38 1e10 1e-10 "
+               "123456789012345678901234567890 0.000000123456789012345678901234567890 9999999999999999999e19 "
+               "9999999999999999999e-64 1e-64 1e-65 9e-63 10000000000000000000e-64 0e99 0.0e-99 "
+               "1000000000000000000000000e-24 1.0000000000000000000000000e0 1e+5 1E-5 1e005 100e-2 "
+               "0.00000000000000000000000000000000000000000000001e47 1.25e1 -1.5e-10 1e-999 1e-1001 1e-99999 70e-46 "
+               "0.000000000000000000000000000000000000000000000000000000001e10")) {
     CAPTURE(text);
     CHECK(isNearest(text));
   }
@@ -267,74 +227,30 @@ TEST_CASE("a number exactly between two floats goes to the even one, and to the 
 }
 
 TEST_CASE("a number is given in whole steps, to the nearest, half away from 0") {
-  CHECK(steps("35.3632621", 7) == "353632621");
-  CHECK(steps("-35.3632621", 7) == "353632621");
-  CHECK(steps("149.16523740", 7) == "1491652374");
-  CHECK(steps("149.165237400000000000000000000000", 7) == "1491652374");
-  CHECK(steps("0.00000005", 7) == "~1");
-  CHECK(steps("0.00000004999999999999999999999", 7) == "~0");
-  CHECK(steps("0.0000000499999999999999999999999999", 7) == "~0");
-  CHECK(steps("0.000000005", 7) == "~0");
-  CHECK(steps("0.00000009", 7) == "~1");
-  CHECK(steps("0.00000000000000000001", 7) == "~0");
-  CHECK(steps("0.9", 0) == "~1");
-  CHECK(steps("0.09", 0) == "~0");
-  CHECK(steps("9.5", 0) == "~10");
-  CHECK(steps("9.4", 0) == "~9");
-  CHECK(steps("15", 0) == "15");
-  CHECK(steps("15.0", 0) == "15");
-  CHECK(steps("1.5e1", 0) == "15");
-  CHECK(steps("1500e-2", 0) == "15");
-  CHECK(steps("1501e-2", 0) == "~15");
-  CHECK(steps("1510e-2", 0) == "~15");
+  CHECK(steps("35.3632621 -35.3632621 149.16523740", 7) == "353632621 353632621 1491652374");
+  CHECK(steps("149.165237400000000000000000000000 0.00000005", 7) == "1491652374 ~1");
+  CHECK(steps("0.00000004999999999999999999999 0.0000000499999999999999999999999999 0.000000005", 7) == "~0 ~0 ~0");
+  CHECK(steps("0.00000009 0.00000000000000000001", 7) == "~1 ~0");
+  CHECK(steps("0.9 0.09 9.5 9.4 15 15.0 1.5e1 1500e-2 1501e-2 1510e-2", 0) == "~1 ~0 ~10 ~9 15 15 15 15 ~15 ~15");
   CHECK(steps("12345.00000000000000000001", 0) == "~12345");
-  CHECK(steps("0", 7) == "0");
-  CHECK(steps("-0.000", 7) == "0");
-  CHECK(steps("0e99", 7) == "0");
-  CHECK(steps("1e9", 0) == "1000000000");
-  CHECK(steps("1e-999", 0) == "~0");
-  CHECK(steps("0.0000000000000000000000000000000021e41", 0) == "210000000");
+  CHECK(steps("0 -0.000 0e99", 7) == "0 0 0");
+  CHECK(steps("1e9 1e-999 0.0000000000000000000000000000000021e41", 0) == "1000000000 ~0 210000000");
   CHECK(steps("0.21474836465", 10) == "~2147483647");
 }
 
 TEST_CASE("steps beyond 2147483647 are none") {
-  CHECK(steps("2147483647", 0) == "2147483647");
-  CHECK(steps("2147483646.5", 0) == "~2147483647");
-  CHECK(steps("2147483647.4", 0) == "~2147483647");
-  CHECK(steps("2147483647.5", 0) == "");
-  CHECK(steps("2147483648", 0) == "");
-  CHECK(steps("4294967295.5", 0) == "");
-  CHECK(steps("4294967296", 0) == "");
-  CHECK(steps("4294967297", 0) == "");
-  CHECK(steps("1099511627776", 0) == "");
-  CHECK(steps("214.7483647", 7) == "2147483647");
-  CHECK(steps("214.7483648", 7) == "");
-  CHECK(steps("1e10", 0) == "");
-  CHECK(steps("1e11", 0) == "");
-  CHECK(steps("1e999", 0) == "");
-  CHECK(steps("1e1001", 0) == "");
-  CHECK(steps("nan", 0) == "");
-  CHECK(steps("12345678901234567890", 0) == "");
+  CHECK(steps("2147483647 2147483646.5 2147483647.4 2147483647.5", 0) == "2147483647 ~2147483647 ~2147483647 none");
+  CHECK(steps("2147483648 4294967295.5 4294967296 4294967297 1099511627776", 0) == "none none none none none");
+  CHECK(steps("214.7483647 214.7483648", 7) == "2147483647 none");
+  CHECK(steps("1e10 1e11 1e999 1e1001 nan 12345678901234567890", 0) == "none none none none none none");
   CHECK(steps("99999999999999999999e-11", 0) == "~1000000000");
 }
 
 TEST_CASE("a float is printed with as few digits as read back the same, and neither more nor longer than it has room") {
-  CHECK(printed(1e10f) == "1e10");
-  CHECK(printed(1234567936) == "1234568000");
-  CHECK(printed(123456789012.f) == "12345679e4");
-  CHECK(printed(0.01f) == "0.01");
-  CHECK(printed(0.0012f) == "0.0012");
-  CHECK(printed(0.00012f) == "0.00012");
-  CHECK(printed(0.00001f) == "1e-5");
-  CHECK(printed(0.000012f) == "12e-6");
-  CHECK(printed(1.5f) == "1.5");
-  CHECK(printed(12.25f) == "12.25");
-  CHECK(printed(100) == "100");
-  CHECK(printed(1e-45f) == "1e-45");
-  CHECK(printed(3.4028235e38f) == "34028235e31");
-  CHECK(printed(-1.1754944e-38f) == "-11754944e-45");
-  CHECK(printed(9.999999e9f) == "9999999000");
-  CHECK(printed(999999.94f) == "999999.94");
+  CHECK(printed({1e10f, 1234567936, 123456789012.f, 0.01f, 0.0012f}) == "1e10 1234568000 12345679e4 0.01 0.0012");
+  CHECK(printed({0.00012f, 0.00001f, 0.000012f, 1.5f, 12.25f, 100}) == "0.00012 1e-5 12e-6 1.5 12.25 100");
+  CHECK(printed({1e-45f, 3.4028235e38f, -1.1754944e-38f}) == "1e-45 34028235e31 -11754944e-45");
+  CHECK(printed({9.999999e9f, 999999.94f}) == "9999999000 999999.94");
   // As few digits as will do, from six on.
   uint32_t seed = 21;
   for (int i = 0; i < 20000; ++i) {
@@ -388,8 +304,5 @@ TEST_CASE("a whole number is printed with all its digits and no more") {
     printWhole(value, text);
     CHECK(std::string(text) == std::to_string(value));
   }
-  CHECK(degrees(5) == "0.0000005");
-  CHECK(degrees(10000000) == "1.0000000");
-  CHECK(degrees(9999999) == "0.9999999");
-  CHECK(degrees(-1) == "-0.0000001");
+  CHECK(degrees({5, 10000000, 9999999, -1}) == "0.0000005 1.0000000 0.9999999 -0.0000001");
 }
