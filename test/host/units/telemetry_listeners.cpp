@@ -1,11 +1,14 @@
 // When a telemetry listener requests its message, and what the listeners make of theirs.
 #include <doctest/doctest.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <initializer_list>
 #include <limits>
+#include <string>
 
 #include "ClientOnLine.h"
+#include "Script.h"
 #include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/telemetry/AttitudeListener.h"
 #include "mavmission/telemetry/BatteryListener.h"
@@ -24,13 +27,26 @@ using namespace mavmission;
 
 namespace {
 
-typedef std::vector<uint32_t> Times;
-
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr uint8_t kAccepted = 0, kDenied = 2;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+#define AS(NAME) MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC
+
+mavlink_command_long_t commandOf(const SentFrame& frame) {
+  mavlink_command_long_t command;
+  memcpy(&command, frame.payload.data(), sizeof(command));
+  return command;
+}
+
+// A client with a listener that requests its message each `intervalMs`, or 0: not at all.
+template <typename Listener>
 struct Desk : ClientOnLine {
-  explicit Desk(uint8_t autopilot = kArduPilot) : ClientOnLine(autopilot) {}
+  Listener listener;
+
+  explicit Desk(uint16_t intervalMs = 0, uint8_t autopilot = kArduPilot)
+      : ClientOnLine(autopilot), listener(client, intervalMs) {
+    if (intervalMs == 0) run(3000);
+  }
 
   template <typename Message>
   void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId = 1) {
@@ -42,50 +58,61 @@ struct Desk : ClientOnLine {
     run(5);
   }
 
-  // The answer to a SET_MESSAGE_INTERVAL.
+  // The requests that leave, "30 each 250", a message and its interval in ms, and "2 again", so many seconds behind the
+  // one before, when this happens:
+  // until asked: the next one has left; wait N: N seconds pass; accepted, denied: the answer; comes: the message
+  // no room, room: to send
+  std::string plays(const std::string& script) {
+    Transcript said;
+    for (const Event& event : eventsOf(script)) {
+      sent.clear();
+      if (event.is("until asked")) REQUIRE(runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 20000));
+      if (event.is("wait")) run(1000 * event.number);
+      if (event.is("accepted")) answer(MAV_RESULT_ACCEPTED);
+      if (event.is("denied")) answer(MAV_RESULT_DENIED);
+      if (event.is("comes")) tell(AS(ATTITUDE), mavlink_attitude_t());
+      if (event.is("no room")) line.room = 0;
+      if (event.is("room")) line.room = MemoryStream::kAlwaysRoom;
+      for (const SentFrame& frame : sent) {
+        if (frame.messageId != MAVLINK_MSG_ID_COMMAND_LONG) continue;
+        const mavlink_command_long_t command = commandOf(frame);
+        CHECK((command.command == MAV_CMD_SET_MESSAGE_INTERVAL));
+        CHECK((command.confirmation == 0));
+        CHECK((command.target_system == 1));
+        CHECK((command.target_component == 1));
+        const long ms = static_cast<long>(command.param2 / 1000);
+        const uint32_t seconds = askedMs_ == 0 ? 0 : (frame.atMs - askedMs_ + 500) / 1000;
+        const std::string asked = std::to_string(static_cast<long>(command.param1)) + " each " + std::to_string(ms);
+        said.note(asked == asked_ ? "again" : asked, seconds);
+        askedMs_ = frame.atMs;
+        asked_ = asked;
+      }
+    }
+    return said.text();
+  }
+
+ private:
+  uint32_t askedMs_ = 0;
+  std::string asked_;
+
   void answer(uint8_t result) {
     mavlink_command_ack_t ack = mavlink_command_ack_t();
     ack.command = MAV_CMD_SET_MESSAGE_INTERVAL;
     ack.result = result;
     ack.target_system = 1;
     ack.target_component = 191;
-    tell(MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC, ack);
-  }
-
-  // The seconds at which requests leave in this time, with the message each `everyMs` where that is not 0.
-  Times requests(uint32_t seconds) {
-    Times times;
-    for (uint32_t second = 0; second < seconds; ++second) {
-      sent.clear();
-      run(1000);
-      for (const SentFrame& frame : sent) {
-        if (frame.messageId == MAVLINK_MSG_ID_COMMAND_LONG) times.push_back(second);
-      }
-    }
-    return times;
+    tell(AS(COMMAND_ACK), ack);
   }
 };
 
-mavlink_command_long_t commandOf(const SentFrame& frame) {
-  mavlink_command_long_t command;
-  memcpy(&command, frame.payload.data(), sizeof(command));
-  return command;
+typedef Desk<AttitudeListener> Attitude;
+
+template <typename... Numbers>
+std::string text(const char* format, Numbers... numbers) {
+  char line[200];
+  snprintf(line, sizeof(line), format, numbers...);
+  return line;
 }
-
-struct Attitude : Desk {
-  AttitudeListener listener;
-
-  explicit Attitude(uint16_t intervalMs, uint8_t autopilot = kArduPilot)
-      : Desk(autopilot), listener(client, intervalMs) {}
-
-  void come(float roll = 0.1f, float pitch = 0.2f, float yaw = 0.3f, uint8_t systemId = 1) {
-    mavlink_attitude_t message = mavlink_attitude_t();
-    message.roll = roll;
-    message.pitch = pitch;
-    message.yaw = yaw;
-    tell(MAVLINK_MSG_ID_ATTITUDE, MAVLINK_MSG_ID_ATTITUDE_CRC, message, systemId);
-  }
-};
 
 }  // namespace
 
@@ -93,195 +120,125 @@ struct Attitude : Desk {
 
 TEST_CASE("a message is requested at its interval, as soon as the autopilot is known") {
   Attitude desk(250);
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-  const mavlink_command_long_t command = commandOf(desk.sent.back());
-  CHECK((command.command == MAV_CMD_SET_MESSAGE_INTERVAL));
-  CHECK((command.param1 == MAVLINK_MSG_ID_ATTITUDE));
-  CHECK((command.param2 == 250000));
-  CHECK((command.confirmation == 0));
-  CHECK((command.target_system == 1));
-  CHECK((command.target_component == 1));
+  CHECK(desk.plays("until asked") == "30 each 250");
   CHECK_FALSE(desk.listener.isConfirmed());
-  desk.answer(kAccepted);
+  desk.plays("accepted");
   CHECK(desk.listener.isConfirmed());
   CHECK_FALSE(desk.listener.isHeard());
 }
 
 TEST_CASE("with an interval of 0 nothing is requested, and what comes is taken") {
-  Attitude desk(0);
-  CHECK(desk.requests(200).empty());
-  desk.come();
+  Attitude desk;
+  CHECK(desk.plays("wait 200, comes") == "");
   CHECK(desk.listener.isHeard());
 }
 
 TEST_CASE("a request without an answer is repeated after 2, 4, 8 s and so on, at most a minute") {
-  Attitude desk(1000);
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-  const Times times = desk.requests(300);
-  REQUIRE(times.size() >= 8);
-  CHECK(times[0] <= 2);
-  const uint32_t pauses[] = {4, 8, 16, 32, 64, 64, 64};
-  for (size_t i = 0; i < 7; ++i) CHECK(times[i + 1] - times[i] == pauses[i]);
-}
-
-TEST_CASE("a request that is refused is repeated in the same way") {
-  Attitude desk(1000);
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-  desk.answer(kDenied);
-  CHECK_FALSE(desk.listener.isConfirmed());
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 2500));
-  desk.answer(kDenied);
-  CHECK(desk.requests(3).empty());
-  CHECK(desk.requests(2).size() == 1);
+  CHECK(Attitude(1000).plays("until asked, wait 300") ==
+        "30 each 1000, 2 again, 4 again, 8 again, 16 again, 32 again, "
+        "64 again (3 times)");
+  CHECK(Attitude(1000).plays("until asked, denied, until asked, denied, wait 5") == "30 each 1000, 2 again, 4 again");
+  // A message that comes without having been confirmed is requested all the same.
+  CHECK(Attitude(1000).plays("until asked, " + times(8, "comes, wait 1")) == "30 each 1000, 2 again, 4 again");
 }
 
 TEST_CASE("a confirmed message that does not come is requested again when it is twice late, and 3 s more") {
-  for (uint16_t intervalMs : {200, 1000, 2500, 5000}) {
-    CAPTURE(intervalMs);
-    Attitude desk(intervalMs);
-    REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-    desk.answer(kAccepted);
-    const uint32_t patience = 2u * (intervalMs / 1000u) + 3u;
-    CHECK(desk.requests(patience - 1).empty());
-    CHECK(desk.requests(1).size() == 1);
-  }
+  CHECK(Attitude(200).plays("until asked, accepted, wait 4") == "30 each 200, 3 again");
+  CHECK(Attitude(1000).plays("until asked, accepted, wait 6") == "30 each 1000, 5 again");
+  CHECK(Attitude(2500).plays("until asked, accepted, wait 8") == "30 each 2500, 7 again");
+  CHECK(Attitude(5000).plays("until asked, accepted, wait 14") == "30 each 5000, 13 again");
 }
 
 TEST_CASE("a message that comes keeps its request from being repeated, and begins the pauses anew") {
   Attitude desk(1000);
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-  desk.requests(16);  // three more, without an answer
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 20000));
-  desk.answer(kAccepted);
-  for (int second = 0; second < 100; ++second) {
-    desk.come();
-    CHECK(desk.requests(1).empty());
-  }
-  // It stops: after 5 s it is requested, then 2, 4 s later.
-  CHECK(desk.requests(3).empty());
-  Times times = desk.requests(12);
-  REQUIRE(times.size() >= 3);
-  CHECK(times[1] - times[0] == 2);
-  CHECK(times[2] - times[1] == 4);
-}
-
-TEST_CASE("a message that comes without having been confirmed is requested all the same") {
-  Attitude desk(1000);
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-  size_t requests = 0;
-  for (int second = 0; second < 8; ++second) {
-    desk.come();
-    requests += desk.requests(1).size();
-  }
-  CHECK(requests == 2);
-}
-
-TEST_CASE("an autopilot that was silent for 2.5 s may have restarted: the message is requested again") {
-  for (uint32_t gapMs : {1400u, 2000u}) {
-    CAPTURE(gapMs);
-    Attitude desk(1000);
-    REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-    desk.answer(kAccepted);
-    desk.come();
-    desk.run(1000 - desk.nowMs() % 1000 + 1);  // a heartbeat has just come
-    CHECK(desk.listener.isConfirmed());
-    desk.beats = false;
-    desk.run(1000 + gapMs - 500);
-    desk.beats = true;
-    desk.sent.clear();
-    desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
-    desk.run(5);
-    const bool hasRestarted = gapMs == 2000;
-    CHECK(desk.listener.isConfirmed() == !hasRestarted);
-    CHECK(desk.timesOf(MAVLINK_MSG_ID_COMMAND_LONG, 0).empty() == !hasRestarted);
-  }
+  desk.plays("until asked, wait 16, until asked, accepted");  // three more, without an answer
+  CHECK(desk.plays(times(100, "comes, wait 1")) == "");
+  CHECK(desk.plays("wait 12") == "104 again, 2 again, 4 again");
 }
 
 TEST_CASE("of two listeners each gets its own answer, one behind the other") {
-  struct Two : Attitude {
-    GpsListener gps;
-    Two() : Attitude(1000), gps(client, 500) {}
-  } desk;
-  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-  const float first = commandOf(desk.sent.back()).param1;
-  desk.sent.clear();
-  desk.run(50);
-  CHECK(desk.timesOf(MAVLINK_MSG_ID_COMMAND_LONG, 0).empty());  // no second one while the answer may come
-  desk.sent.clear();
-  desk.answer(kAccepted);
-  CHECK(desk.listener.isConfirmed() != desk.gps.isConfirmed());
-  // The answer lets the other one ask.
-  REQUIRE(desk.sent.size() == 1);
-  const mavlink_command_long_t second = commandOf(desk.sent.back());
-  CHECK(first + second.param1 == MAVLINK_MSG_ID_ATTITUDE + MAVLINK_MSG_ID_GPS_RAW_INT);
-  CHECK((second.param2 == (second.param1 == MAVLINK_MSG_ID_GPS_RAW_INT ? 500000 : 1000000)));
-  desk.answer(kDenied);
-  CHECK(desk.listener.isConfirmed() != desk.gps.isConfirmed());
-}
-
-TEST_CASE("nothing is requested while a command of the client's runs, nor without room to send") {
   Attitude desk(1000);
-  desk.run(500);
-  desk.line.room = 0;
-  CHECK(desk.requests(4).empty());
-  desk.line.room = MemoryStream::kAlwaysRoom;
-  CHECK(desk.requests(2).size() == 1);
+  GpsListener gps(desk.client, 500);
+  const std::string first = desk.plays("until asked");
+  desk.run(50);
+  CHECK(desk.plays("wait 0") == "");                  // no second one while the answer may come
+  const std::string second = desk.plays("accepted");  // which lets the other one ask
+  CHECK(desk.listener.isConfirmed() != gps.isConfirmed());
+  CHECK((first == "24 each 500" && second == "30 each 1000"));
+  desk.plays("denied");
+  CHECK(desk.listener.isConfirmed() != gps.isConfirmed());
 }
 
-TEST_CASE("it is told whether and when a message came, and whether it is new") {
-  Attitude desk(0);
-  desk.run(3000);
-  CHECK_FALSE(desk.listener.isHeard());
-  CHECK_FALSE(desk.listener.isNew());
-  CHECK(desk.listener.ageMs() == TelemetryListener::kNeverHeard + 0);
-  desk.come();
-  CHECK(desk.listener.isHeard());
+TEST_CASE("nothing is requested without room to send") {
+  CHECK(Attitude(1000).plays("until asked, no room, wait 5, room, wait 2") == "30 each 1000, 6 again");
+}
+
+TEST_CASE("a message of another vehicle is none") {
+  Attitude desk;
+  desk.plays("comes");
   CHECK(desk.listener.isNew());
-  CHECK_FALSE(desk.listener.isNew());
   desk.run(700);
-  CHECK(desk.listener.ageMs() >= 700);
-  CHECK(desk.listener.ageMs() <= 706);
-  desk.come(1, 1, 1, 7);  // of another vehicle
+  desk.tell(AS(ATTITUDE), mavlink_attitude_t(), 7);
   CHECK_FALSE(desk.listener.isNew());
   CHECK(desk.listener.ageMs() >= 700);
+}
+
+TEST_CASE("of two messages the one of the autopilot is requested") {
+  const struct {
+    uint8_t autopilot, other;
+    const char *wind, *estimator, *otherWind;
+  } kRows[] = {
+      {ClientOnLine::kArduPilot, ClientOnLine::kPx4, "168 each 1000", "193 each 2000", "231 each 1000"},
+      {ClientOnLine::kPx4, ClientOnLine::kArduPilot, "231 each 1000", "230 each 2000", "168 each 1000"},
+  };
+  for (const auto& row : kRows) {
+    Desk<WindListener> desk(1000, row.autopilot);
+    CHECK(desk.plays("until asked") == row.wind);
+    CHECK(Desk<EstimatorListener>(2000, row.autopilot).plays("until asked") == row.estimator);
+    // Another autopilot, in the place of that one.
+    desk.beats = false;
+    std::string asked;
+    for (int second = 0; second < 8; ++second) {
+      desk.hear(heartbeatParts(row.other));
+      const std::string said = desk.plays("wait 1");
+      if (!said.empty()) asked += said + ", ";
+    }
+    CHECK(asked == "1 " + std::string(row.otherWind) + ", 4 again, ");
+  }
 }
 
 // --- The messages
 
 TEST_CASE("an attitude is three angles in degrees, and one with a NaN is none") {
-  Attitude desk(0);
-  desk.run(3000);
-  CHECK(desk.listener.roll().e7() == 0);
-  const auto isAbout = [](Degrees angle, double degrees) {
-    const double off = angle.e7() / 1e7 - degrees;
-    return off < 1e-4 && off > -1e-4;
+  Attitude desk;
+  const auto told = [&desk](float roll, float pitch, float yaw) {
+    mavlink_attitude_t message = mavlink_attitude_t();
+    message.roll = roll;
+    message.pitch = pitch;
+    message.yaw = yaw;
+    desk.tell(AS(ATTITUDE), message);
+    const AttitudeListener& is = desk.listener;
+    return text("%.4f %.4f %.4f", is.roll().e7() / 1e7, is.pitch().e7() / 1e7, is.yaw().e7() / 1e7) +
+           (desk.listener.isNew() ? "" : " as before");
   };
-  desk.come(0.5f, -0.25f, 3.1f);
-  CHECK(isAbout(desk.listener.roll(), 28.647890));
-  CHECK(isAbout(desk.listener.pitch(), -14.323945));
-  CHECK(isAbout(desk.listener.yaw(), 177.616917));
-  CHECK(desk.listener.isNew());
-  const float odd[3][3] = {{kNan, 0, 0}, {0, kNan, 0}, {0, 0, std::numeric_limits<float>::infinity()}};
-  for (const auto& angles : odd) {
-    desk.come(angles[0], angles[1], angles[2]);
-    CHECK_FALSE(desk.listener.isNew());
-    CHECK(isAbout(desk.listener.roll(), 28.647890));
-  }
+  CHECK(desk.listener.roll().e7() == 0);
+  CHECK(told(0.5f, -0.25f, 3.1f) == "28.6479 -14.3239 177.6169");
+  CHECK(told(kNan, 0, 0) == "28.6479 -14.3239 177.6169 as before");
+  CHECK(told(0, kNan, 0) == "28.6479 -14.3239 177.6169 as before");
+  CHECK(told(0, 0, kInfinity) == "28.6479 -14.3239 177.6169 as before");
 }
 
 TEST_CASE("a battery's voltage is the sum of its cells, and what is not measured is not known") {
-  struct Battery : Desk {
-    BatteryListener first, second;
-    Battery() : first(client, 0), second(client, 0, 1) { run(3000); }
-    void come(const mavlink_battery_status_t& message) {
-      tell(MAVLINK_MSG_ID_BATTERY_STATUS, MAVLINK_MSG_ID_BATTERY_STATUS_CRC, message);
-    }
-  } desk;
-  CHECK(desk.first.voltageMv() == 0);
-  CHECK_FALSE(desk.first.hasCurrent());
-  CHECK_FALSE(desk.first.hasConsumed());
-  CHECK_FALSE(desk.first.hasRemaining());
-  CHECK_FALSE(desk.first.hasTemperature());
+  Desk<BatteryListener> desk;
+  BatteryListener second(desk.client, 0, 1);
+  const auto says = [](const BatteryListener& is) {
+    return text("%lu mV", static_cast<unsigned long>(is.voltageMv())) +
+           (is.hasCurrent() ? text(" %ld cA", static_cast<long>(is.currentCa())) : "") +
+           (is.hasConsumed() ? text(" %ld mAh", static_cast<long>(is.consumedMah())) : "") +
+           (is.hasRemaining() ? text(" %d %%", int(is.remainingPercent())) : "") +
+           (is.hasTemperature() ? text(" %d cdeg", int(is.temperatureCdeg())) : "");
+  };
+  CHECK(says(desk.listener) == "0 mV");
   mavlink_battery_status_t message = mavlink_battery_status_t();
   for (uint8_t i = 0; i < 10; ++i) message.voltages[i] = 0xFFFF;
   message.voltages[0] = 4200;
@@ -291,54 +248,39 @@ TEST_CASE("a battery's voltage is the sum of its cells, and what is not measured
   message.current_consumed = 567;
   message.temperature = 2150;
   message.battery_remaining = 77;
-  desk.come(message);
-  CHECK(desk.first.voltageMv() == 12300);
-  CHECK(desk.first.currentCa() == 1234);
-  CHECK(desk.first.consumedMah() == 567);
-  CHECK(desk.first.remainingPercent() == 77);
-  CHECK(desk.first.temperatureCdeg() == 2150);
-  CHECK(desk.first.hasCurrent());
-  CHECK(desk.first.hasConsumed());
-  CHECK(desk.first.hasRemaining());
-  CHECK(desk.first.hasTemperature());
-  CHECK_FALSE(desk.second.isHeard());
+  desk.tell(AS(BATTERY_STATUS), message);
+  CHECK(says(desk.listener) == "12300 mV 1234 cA 567 mAh 77 % 2150 cdeg");
+  CHECK_FALSE(second.isHeard());
   message.id = 1;
   message.voltages_ext[0] = 3000;
   message.voltages_ext[2] = 0xFFFF;
   message.voltages_ext[3] = 500;
-  message.current_battery = 0;
-  message.current_consumed = 0;
-  message.battery_remaining = 0;
+  message.current_battery = message.current_consumed = message.battery_remaining = 0;
   message.temperature = INT16_MAX;
-  desk.first.isNew();
-  desk.come(message);
-  CHECK(desk.second.voltageMv() == 15800);
-  CHECK(desk.second.hasCurrent());
-  CHECK(desk.second.hasConsumed());
-  CHECK(desk.second.hasRemaining());
-  CHECK_FALSE(desk.second.hasTemperature());
-  CHECK_FALSE(desk.first.isNew());
+  desk.listener.isNew();
+  desk.tell(AS(BATTERY_STATUS), message);
+  CHECK(says(second) == "15800 mV 0 cA 0 mAh 0 %");
+  CHECK_FALSE(desk.listener.isNew());
   // More than 65.534 V without cells.
   message.voltages[0] = message.voltages[1] = 0xFFFE;
   message.voltages[9] = 0xFFFF;
   message.voltages_ext[0] = message.voltages_ext[2] = message.voltages_ext[3] = 0;
   message.current_battery = -1;
-  desk.come(message);
-  CHECK(desk.second.voltageMv() == 2 * 0xFFFEu);
-  CHECK_FALSE(desk.second.hasCurrent());
+  desk.tell(AS(BATTERY_STATUS), message);
+  CHECK(says(second) == "131068 mV 0 mAh 0 %");
 }
 
 TEST_CASE("a GPS receiver's fix, place and accuracies are as they came") {
-  struct Gps : Desk {
-    GpsListener gps;
-    Gps() : gps(client, 0) { run(3000); }
-  } desk;
-  CHECK_FALSE(desk.gps.hasFix());
-  CHECK_FALSE(desk.gps.hasSatellites());
-  CHECK(desk.gps.hdopHundredths() == 65535);
-  CHECK(desk.gps.speedCmS() == 65535);
-  CHECK(desk.gps.courseCdeg() == 65535);
-  CHECK(desk.gps.accuracyMm() == 0);
+  Desk<GpsListener> desk;
+  const GpsListener& is = desk.listener;
+  const auto says = [&is] {
+    return text("%ld %ld, %ld mm, hdop %u, %u cm/s to %u, within %lu mm", long(is.place().latitude.e7()),
+                long(is.place().longitude.e7()), long(is.aboveSeaLevelMm()), is.hdopHundredths(), is.speedCmS(),
+                is.courseCdeg(), static_cast<unsigned long>(is.accuracyMm())) +
+           (is.hasSatellites() ? text(", %u satellites", is.satellites()) : "");
+  };
+  CHECK_FALSE(is.hasFix());
+  CHECK(says() == "0 0, 0 mm, hdop 65535, 65535 cm/s to 65535, within 0 mm");
   mavlink_gps_raw_int_t message = mavlink_gps_raw_int_t();
   message.lat = -353632621;
   message.lon = 1491652374;
@@ -350,62 +292,45 @@ TEST_CASE("a GPS receiver's fix, place and accuracies are as they came") {
   message.satellites_visible = 11;
   for (uint8_t fix = 0; fix <= 8; ++fix) {
     message.fix_type = fix;
-    desk.tell(MAVLINK_MSG_ID_GPS_RAW_INT, MAVLINK_MSG_ID_GPS_RAW_INT_CRC, message);
-    CHECK(static_cast<uint8_t>(desk.gps.fix()) == fix);
-    CHECK(desk.gps.hasFix() == (fix >= 3));
+    desk.tell(AS(GPS_RAW_INT), message);
+    CHECK(static_cast<uint8_t>(is.fix()) == fix);
+    CHECK(is.hasFix() == (fix >= 3));
   }
-  CHECK(desk.gps.place().latitude.e7() == -353632621);
-  CHECK(desk.gps.place().longitude.e7() == 1491652374);
-  CHECK(desk.gps.aboveSeaLevelMm() == 584000);
-  CHECK(desk.gps.hdopHundredths() == 121);
-  CHECK(desk.gps.speedCmS() == 345);
-  CHECK(desk.gps.courseCdeg() == 27000);
-  CHECK(desk.gps.accuracyMm() == 900);
-  CHECK(desk.gps.hasSatellites());
-  CHECK(desk.gps.satellites() == 11);
+  CHECK(says() == "-353632621 1491652374, 584000 mm, hdop 121, 345 cm/s to 27000, within 900 mm, 11 satellites");
 }
 
 TEST_CASE("a pilot's display is given in centimetres and whole degrees") {
-  struct Hud : Desk {
-    HudListener hud;
-    Hud() : hud(client, 0) { run(3000); }
-  } desk;
-  CHECK_FALSE(desk.hud.hasAirspeed());
-  CHECK(desk.hud.climbCmS() == 0);
+  Desk<HudListener> desk;
+  const HudListener& is = desk.listener;
+  CHECK_FALSE(is.hasAirspeed());
+  CHECK(is.climbCmS() == 0);
   mavlink_vfr_hud_t message = mavlink_vfr_hud_t();
   message.airspeed = 12.34f;
   message.groundspeed = 10.5f;
   message.climb = -1.25f;
   message.heading = 359;
   message.throttle = 42;
-  desk.tell(MAVLINK_MSG_ID_VFR_HUD, MAVLINK_MSG_ID_VFR_HUD_CRC, message);
-  CHECK(desk.hud.hasAirspeed());
-  CHECK(desk.hud.airspeedCmS() == 1234);
-  CHECK(desk.hud.groundSpeedCmS() == 1050);
-  CHECK(desk.hud.climbCmS() == -125);
-  CHECK(desk.hud.headingDeg() == 359);
-  CHECK(desk.hud.throttlePercent() == 42);
+  desk.tell(AS(VFR_HUD), message);
+  CHECK(is.hasAirspeed());
+  CHECK(text("%d %d %d, %d, %d", is.airspeedCmS(), is.groundSpeedCmS(), is.climbCmS(), is.headingDeg(),
+             is.throttlePercent()) == "1234 1050 -125, 359, 42");
   message.airspeed = kNan;
-  desk.tell(MAVLINK_MSG_ID_VFR_HUD, MAVLINK_MSG_ID_VFR_HUD_CRC, message);
-  CHECK_FALSE(desk.hud.hasAirspeed());
-  CHECK(desk.hud.airspeedCmS() == 0);
+  desk.tell(AS(VFR_HUD), message);
+  CHECK_FALSE(is.hasAirspeed());
+  CHECK(is.airspeedCmS() == 0);
 }
 
 TEST_CASE("a radio's state is taken from whoever sends it") {
-  struct Radio : Desk {
-    RadioListener radio;
-    Radio() : radio(client) { run(3000); }
-  } desk;
-  CHECK_FALSE(desk.radio.isHeard());
-  CHECK_FALSE(desk.radio.isNew());
-  CHECK(desk.radio.ageMs() == RadioListener::kNeverHeard + 0);
-  CHECK(desk.radio.rssi() == RadioListener::kUnknown + 0);
-  CHECK(desk.radio.remoteRssi() == 255);
-  CHECK(desk.radio.noise() == 255);
-  CHECK(desk.radio.remoteNoise() == 255);
-  CHECK(desk.radio.freeBufferPercent() == 0);
-  CHECK(desk.radio.receiveErrors() == 0);
-  CHECK(desk.radio.corrected() == 0);
+  Desk<HudListener> desk;
+  RadioListener is(desk.client);
+  const auto says = [&is] {
+    return text("%u %u, noise %u %u, free %u, errors %u, corrected %u", is.rssi(), is.remoteRssi(), is.noise(),
+                is.remoteNoise(), is.freeBufferPercent(), is.receiveErrors(), is.corrected());
+  };
+  CHECK_FALSE(is.isHeard());
+  CHECK_FALSE(is.isNew());
+  CHECK(says() == "255 255, noise 255 255, free 0, errors 0, corrected 0");
+  CHECK(RadioListener::kUnknown + 0 == 255);
   mavlink_radio_status_t message = mavlink_radio_status_t();
   message.rssi = 201;
   message.remrssi = 190;
@@ -414,137 +339,103 @@ TEST_CASE("a radio's state is taken from whoever sends it") {
   message.remnoise = 55;
   message.rxerrors = 321;
   message.fixed = 12;
-  desk.tell(MAVLINK_MSG_ID_RADIO_STATUS, MAVLINK_MSG_ID_RADIO_STATUS_CRC, message, 51);
-  CHECK(desk.radio.isHeard());
-  CHECK(desk.radio.isNew());
-  CHECK_FALSE(desk.radio.isNew());
-  CHECK(desk.radio.rssi() == 201);
-  CHECK(desk.radio.remoteRssi() == 190);
-  CHECK(desk.radio.freeBufferPercent() == 87);
-  CHECK(desk.radio.noise() == 44);
-  CHECK(desk.radio.remoteNoise() == 55);
-  CHECK(desk.radio.receiveErrors() == 321);
-  CHECK(desk.radio.corrected() == 12);
-  desk.run(400);
-  CHECK(desk.radio.ageMs() >= 400);
-  CHECK(desk.radio.ageMs() <= 406);
+  desk.tell(AS(RADIO_STATUS), message, 51);
+  CHECK(is.isHeard());
+  CHECK(is.isNew());
+  CHECK_FALSE(is.isNew());
+  CHECK(says() == "201 190, noise 44 55, free 87, errors 321, corrected 12");
 }
 
 TEST_CASE("of a remote control there are as many channels as the receiver has, and 18 at the most") {
-  struct Rc : Desk {
-    RcListener rc;
-    Rc() : rc(client, 0) { run(3000); }
-    void come(uint8_t count) {
-      mavlink_rc_channels_t message = mavlink_rc_channels_t();
-      uint16_t channels[18];
-      for (uint16_t i = 0; i < 18; ++i) channels[i] = static_cast<uint16_t>(1001 + i);
-      channels[4] = 0xFFFF;
-      memcpy(&message.chan1_raw, channels, sizeof(channels));
-      message.chancount = count;
-      message.rssi = 99;
-      tell(MAVLINK_MSG_ID_RC_CHANNELS, MAVLINK_MSG_ID_RC_CHANNELS_CRC, message);
+  Desk<RcListener> desk;
+  const RcListener& is = desk.listener;
+  CHECK(is.count() == 0);
+  CHECK(is.channelUs(1) == 0);
+  CHECK_FALSE(is.hasRssi());
+  mavlink_rc_channels_t message = mavlink_rc_channels_t();
+  uint16_t channels[18];
+  for (uint16_t i = 0; i < 18; ++i) channels[i] = static_cast<uint16_t>(1001 + i);
+  channels[4] = 0xFFFF;  // not known
+  memcpy(&message.chan1_raw, channels, sizeof(channels));
+  message.rssi = 99;
+  for (int count : {8, 18, 19, 255}) {
+    message.chancount = static_cast<uint8_t>(count);
+    desk.tell(AS(RC_CHANNELS), message);
+    const int last = count > 18 ? 18 : count;
+    CHECK(is.count() == last);
+    for (int number = 0; number <= 20; ++number) {
+      const bool isKnown = number >= 1 && number <= last && number != 5;
+      CHECK(is.channelUs(static_cast<uint8_t>(number)) == (isKnown ? 1000 + number : 0));
     }
-  } desk;
-  CHECK(desk.rc.count() == 0);
-  CHECK(desk.rc.channelUs(1) == 0);
-  CHECK_FALSE(desk.rc.hasRssi());
-  desk.come(8);
-  CHECK(desk.rc.count() == 8);
-  CHECK(desk.rc.channelUs(0) == 0);
-  CHECK(desk.rc.channelUs(1) == 1001);
-  CHECK(desk.rc.channelUs(5) == 0);  // not known
-  CHECK(desk.rc.channelUs(8) == 1008);
-  CHECK(desk.rc.channelUs(9) == 0);
-  CHECK(desk.rc.hasRssi());
-  CHECK(desk.rc.rssi() == 99);
-  for (uint8_t count : {18, 19, 255}) {
-    desk.come(count);
-    CHECK(desk.rc.count() == 18);
-    CHECK(desk.rc.channelUs(18) == 1018);
-    CHECK(desk.rc.channelUs(19) == 0);
   }
+  CHECK(is.hasRssi());
+  CHECK(is.rssi() == 99);
 }
 
 TEST_CASE("a waypoint is so far away, in a direction from 0 to 360") {
-  struct Waypoint : Desk {
-    WaypointListener waypoint;
-    Waypoint() : waypoint(client, 0) { run(3000); }
-    void come(int16_t bearing) {
-      mavlink_nav_controller_output_t message = mavlink_nav_controller_output_t();
-      message.target_bearing = bearing;
-      message.wp_dist = 1234;
-      message.xtrack_error = -2.5f;
-      tell(MAVLINK_MSG_ID_NAV_CONTROLLER_OUTPUT, MAVLINK_MSG_ID_NAV_CONTROLLER_OUTPUT_CRC, message);
-    }
-  } desk;
-  CHECK(desk.waypoint.distanceM() == 0);
-  desk.come(-90);
-  CHECK(desk.waypoint.bearingDeg() == 270);
-  CHECK(desk.waypoint.distanceM() == 1234);
-  CHECK(desk.waypoint.crossTrackCm() == -250);
-  for (int16_t bearing : {0, 1, 180, 360}) {
-    desk.come(bearing);
-    CHECK(desk.waypoint.bearingDeg() == bearing);
+  Desk<WaypointListener> desk;
+  const WaypointListener& is = desk.listener;
+  CHECK(is.distanceM() == 0);
+  const int kBearings[][2] = {{-90, 270}, {0, 0}, {1, 1}, {180, 180}, {360, 360}, {-1, 359}};
+  for (const auto& bearing : kBearings) {
+    mavlink_nav_controller_output_t message = mavlink_nav_controller_output_t();
+    message.target_bearing = static_cast<int16_t>(bearing[0]);
+    message.wp_dist = 1234;
+    message.xtrack_error = -2.5f;
+    desk.tell(AS(NAV_CONTROLLER_OUTPUT), message);
+    CHECK(is.bearingDeg() == bearing[1]);
+    CHECK(is.distanceM() == 1234);
+    CHECK(is.crossTrackCm() == -250);
   }
-  desk.come(-1);
-  CHECK(desk.waypoint.bearingDeg() == 359);
 }
 
 TEST_CASE("a position has its place, its velocity and its heading") {
-  struct Position : Desk {
-    PositionListener position;
-    Position() : position(client, 0) { run(3000); }
-    void come(int16_t vx, int16_t vy, uint16_t heading) {
-      mavlink_global_position_int_t message = mavlink_global_position_int_t();
-      message.lat = -353632621;
-      message.lon = 1491652374;
-      message.alt = 600000;
-      message.relative_alt = 12345;
-      message.vx = vx;
-      message.vy = vy;
-      message.vz = -7;
-      message.hdg = heading;
-      tell(MAVLINK_MSG_ID_GLOBAL_POSITION_INT, MAVLINK_MSG_ID_GLOBAL_POSITION_INT_CRC, message);
-    }
-  } desk;
-  CHECK_FALSE(desk.position.hasPlace());
-  CHECK(desk.position.aboveSeaLevelMm() == PositionListener::kNoHeight + 0);
-  CHECK(desk.position.headingCdeg() == 65535);
-  desk.come(300, -400, 9000);
-  CHECK(desk.position.hasPlace());
-  CHECK(desk.position.place().latitude.e7() == -353632621);
-  CHECK(desk.position.place().longitude.e7() == 1491652374);
-  CHECK(desk.position.aboveSeaLevelMm() == 600000);
-  CHECK(desk.position.aboveHomeMm() == 12345);
-  CHECK(desk.position.homeAboveSeaLevelMm() == 587655);
-  CHECK(desk.position.northCmS() == 300);
-  CHECK(desk.position.eastCmS() == -400);
-  CHECK(desk.position.downCmS() == -7);
-  CHECK(desk.position.speedCmS() == 500);
-  CHECK(desk.position.headingCdeg() == 9000);
-  CHECK(desk.position.heading().e7() == 900000000);
-  desk.come(-32768, 32767, 18000);
-  CHECK(desk.position.speedCmS() == 46340);
-  CHECK(desk.position.heading().e7() == 1800000000);
-  desk.come(0, 0, 18001);
-  CHECK(desk.position.heading().e7() == -1799900000);
-  desk.come(0, 0, 36000);
-  CHECK(desk.position.hasHeading());
-  CHECK(desk.position.heading().e7() == 0);
+  Desk<PositionListener> desk;
+  const PositionListener& is = desk.listener;
+  const auto come = [&desk](int16_t vx, int16_t vy, uint16_t heading) {
+    mavlink_global_position_int_t message = mavlink_global_position_int_t();
+    message.lat = -353632621;
+    message.lon = 1491652374;
+    message.alt = 600000;
+    message.relative_alt = 12345;
+    message.vx = vx;
+    message.vy = vy;
+    message.vz = -7;
+    message.hdg = heading;
+    desk.tell(AS(GLOBAL_POSITION_INT), message);
+  };
+  CHECK_FALSE(is.hasPlace());
+  CHECK(is.aboveSeaLevelMm() == PositionListener::kNoHeight + 0);
+  CHECK(is.headingCdeg() == 65535);
+  come(300, -400, 9000);
+  CHECK(is.hasPlace());
+  CHECK(text("%ld %ld, %ld %ld %ld mm", long(is.place().latitude.e7()), long(is.place().longitude.e7()),
+             long(is.aboveSeaLevelMm()), long(is.aboveHomeMm()),
+             long(is.homeAboveSeaLevelMm())) == "-353632621 1491652374, 600000 12345 587655 mm");
+  CHECK(text("%d %d %d, %u cm/s", is.northCmS(), is.eastCmS(), is.downCmS(), unsigned(is.speedCmS())) ==
+        "300 -400 -7, 500 cm/s");
+  CHECK(is.headingCdeg() == 9000);
+  CHECK(is.heading().e7() == 900000000);
+  come(-32768, 32767, 18000);
+  CHECK(is.speedCmS() == 46340);
+  CHECK(is.heading().e7() == 1800000000);
+  come(0, 0, 18001);
+  CHECK(is.heading().e7() == -1799900000);
+  come(0, 0, 36000);
+  CHECK(is.hasHeading());
+  CHECK(is.heading().e7() == 0);
 }
 
 TEST_CASE("a wind from components has its direction to within a degree, and its speed") {
-  struct Wind : Desk {
-    WindListener wind;
-    explicit Wind(uint8_t autopilot) : Desk(autopilot), wind(client, 0) { run(3000); }
-    void come(float north, float east, float down = 0) {
-      mavlink_wind_cov_t message = mavlink_wind_cov_t();
-      message.wind_x = north;
-      message.wind_y = east;
-      message.wind_z = down;
-      tell(MAVLINK_MSG_ID_WIND_COV, MAVLINK_MSG_ID_WIND_COV_CRC, message);
-    }
-  } desk(ClientOnLine::kPx4);
+  Desk<WindListener> desk(0, ClientOnLine::kPx4);
+  const WindListener& is = desk.listener;
+  const auto come = [&desk](float north, float east, float down) {
+    mavlink_wind_cov_t message = mavlink_wind_cov_t();
+    message.wind_x = north;
+    message.wind_y = east;
+    message.wind_z = down;
+    desk.tell(AS(WIND_COV), message);
+  };
   for (int from = 0; from < 360; ++from) {
     const double radians = from * 3.14159265358979 / 180;
     // By a series: sines without a library.
@@ -553,77 +444,48 @@ TEST_CASE("a wind from components has its direction to within a degree, and its 
       (n % 2 == 0 ? cosine : sine) += (n / 2 % 2 == 0 ? term : -term);
       term *= radians / (n + 1);
     }
-    desk.come(static_cast<float>(-20 * cosine), static_cast<float>(-20 * sine), 1.5f);
-    const int off = (desk.wind.fromDeg() - from + 540) % 360 - 180;
+    come(static_cast<float>(-20 * cosine), static_cast<float>(-20 * sine), 1.5f);
+    const int off = (is.fromDeg() - from + 540) % 360 - 180;
     CAPTURE(from);
-    CHECK(desk.wind.fromDeg() < 360);
+    CHECK(is.fromDeg() < 360);
     CHECK((off >= -1 && off <= 1));
-    CHECK((desk.wind.speedCmS() >= 1998 && desk.wind.speedCmS() <= 2000));
-    CHECK(desk.wind.downCmS() == 150);
+    CHECK((is.speedCmS() >= 1998 && is.speedCmS() <= 2000));
+    CHECK(is.downCmS() == 150);
   }
-  desk.come(0, 0);
-  CHECK(desk.wind.fromDeg() == 0);
-  CHECK(desk.wind.speedCmS() == 0);
-  desk.come(-5, 0);
-  desk.come(kNan, 1e30f, kNan);
-  CHECK(desk.wind.speedCmS() == 0);
-  CHECK(desk.wind.downCmS() == 0);
-  // A component of 300 m/s is one, and more is none.
-  desk.come(-300, 0);
-  CHECK(desk.wind.speedCmS() == 30000);
-  desk.come(300, 0);
-  CHECK(desk.wind.speedCmS() == 30000);
-  desk.come(-300.01f, 0);
-  CHECK(desk.wind.speedCmS() == 0);
-  desk.come(0, 300.01f);
-  CHECK(desk.wind.speedCmS() == 0);
+  const struct {
+    float north, east, down;
+    uint16_t speedCmS;
+  } kWinds[] = {
+      {0, 0, 0, 0},
+      {kNan, 1e30f, kNan, 0},
+      // A component of 300 m/s is one, and more is none.
+      {-300, 0, 0, 30000},
+      {300, 0, 0, 30000},
+      {-300.01f, 0, 0, 0},
+      {0, 300.01f, 0, 0},
+  };
+  for (const auto& wind : kWinds) {
+    come(-5, 0, 0);
+    come(wind.north, wind.east, wind.down);
+    CHECK(is.speedCmS() == wind.speedCmS);
+    CHECK(is.downCmS() == 0);
+    if (wind.north == 0 && wind.east == 0) CHECK(is.fromDeg() == 0);
+  }
 }
 
 TEST_CASE("ArduPilot's wind has a direction of any turn, and a speed that is not below 0") {
-  struct Wind : Desk {
-    WindListener wind;
-    Wind() : wind(client, 0) { run(3000); }
-    void come(float from, float speed) {
-      const float message[3] = {from, speed, -0.5f};
-      tell(168, 1, message);
-    }
-  } desk;
+  Desk<WindListener> desk;
+  const WindListener& is = desk.listener;
   const struct {
-    float from;
-    uint16_t degrees;
-  } kTurns[] = {{0, 0}, {359, 359}, {360, 0}, {361, 1}, {-1, 359}, {-360, 0}, {-180, 180}, {725, 5}};
-  for (const auto& one : kTurns) {
-    desk.come(one.from, 3.5f);
-    CHECK(desk.wind.fromDeg() == one.degrees);
-    CHECK(desk.wind.speedCmS() == 350);
-    CHECK(desk.wind.downCmS() == -50);
-  }
-  desk.come(0, -1);
-  CHECK(desk.wind.speedCmS() == 0);
-  desk.come(0, 0.01f);
-  CHECK(desk.wind.speedCmS() == 1);
-}
-
-TEST_CASE("of two messages the one of the autopilot is requested") {
-  for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    const bool isArduPilot = autopilot == ClientOnLine::kArduPilot;
-    Desk desk(autopilot);
-    WindListener wind(desk.client, 1000);
-    REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-    CHECK((commandOf(desk.sent.back()).param1 == (isArduPilot ? 168 : 231)));
-    CHECK((commandOf(desk.sent.back()).param2 == 1000000));
-    // Another autopilot, in the place of that one.
-    desk.beats = false;
-    float requested = 0;
-    for (int second = 0; second < 8; ++second) {
-      desk.hear(heartbeatParts(isArduPilot ? ClientOnLine::kPx4 : ClientOnLine::kArduPilot));
-      if (desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 1000)) requested = commandOf(desk.sent.back()).param1;
-    }
-    CHECK((requested == (isArduPilot ? 231 : 168)));
-    Desk other(autopilot);
-    EstimatorListener estimator(other.client, 2000);
-    REQUIRE(other.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-    CHECK((commandOf(other.sent.back()).param1 == (isArduPilot ? 193 : 230)));
-    CHECK((commandOf(other.sent.back()).param2 == 2000000));
+    float from, speed;
+    const char* says;
+  } kWinds[] = {{0, 3.5f, "0 350"},    {359, 3.5f, "359 350"}, {360, 3.5f, "0 350"},    {361, 3.5f, "1 350"},
+                {-1, 3.5f, "359 350"}, {-360, 3.5f, "0 350"},  {-180, 3.5f, "180 350"}, {725, 3.5f, "5 350"},
+                {0, -1, "0 0"},        {0, 0.01f, "0 1"}};
+  for (const auto& wind : kWinds) {
+    const float message[3] = {wind.from, wind.speed, -0.5f};
+    desk.tell(168, 1, message);
+    CHECK(text("%u %u", is.fromDeg(), is.speedCmS()) == wind.says);
+    CHECK(is.downCmS() == -50);
   }
 }
