@@ -6,6 +6,7 @@ import io
 import math
 import re
 from pathlib import Path
+from typing import Any
 
 from .timeline import STEPS_S, Burst, Mark, Timeline
 
@@ -27,12 +28,21 @@ def draw(timeline: Timeline, file: Path, title: str, verdict: str) -> None:
     """Raises OSError if the file cannot be written."""
     import matplotlib
 
-    matplotlib.use("svg")
-    matplotlib.rcParams.update({"svg.hashsalt": "mavmission", "svg.fonttype": "none", "font.size": 8,
-                                "font.sans-serif": ["DejaVu Sans", "Arial"]})  # fmt: skip
-    from matplotlib import pyplot
+    # For this picture alone: a process may draw others.
+    look: dict[Any, Any] = {"svg.hashsalt": "mavmission", "svg.fonttype": "none", "font.size": 8,
+                            "font.sans-serif": ["DejaVu Sans", "Arial"]}  # fmt: skip
+    with matplotlib.rc_context(look):
+        drawn = svg_of(timeline, title, verdict)
+    # A tenth of a point is enough, and the pictures go with each release.
+    file.write_text(re.sub(r"\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", drawn))
 
-    figure = pyplot.figure(figsize=(WIDTH_IN, HEIGHT_IN))
+
+def svg_of(timeline: Timeline, title: str, verdict: str) -> str:
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(WIDTH_IN, HEIGHT_IN))
+    FigureCanvasSVG(figure)
     figure.text(LEFT, 0.975, title, size=11, weight="bold", va="top")
     figure.text(LEFT, 0.93, verdict, size=9, va="top")
     places = placed(timeline.bursts)
@@ -51,13 +61,9 @@ def draw(timeline: Timeline, file: Path, title: str, verdict: str) -> None:
                         ha="center", va="center", rotation=90, color="#777777")  # fmt: skip
     figure.text((LEFT + RIGHT) / 2, 0.015, "simulated time since power-on [s]", ha="center")
     draw_legend(figure, timeline)
-    try:
-        drawn = io.StringIO()
-        figure.savefig(drawn, format="svg", metadata={"Date": None, "Creator": None})
-        # A tenth of a point is enough, and the pictures go with each release.
-        file.write_text(re.sub(r"\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", drawn.getvalue()))
-    finally:
-        pyplot.close(figure)
+    drawn = io.StringIO()
+    figure.savefig(drawn, format="svg", metadata={"Date": None, "Creator": None})
+    return drawn.getvalue()
 
 
 def placed(bursts: list[Burst]) -> list[tuple[float, float]]:
