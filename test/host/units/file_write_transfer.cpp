@@ -3,179 +3,134 @@
 #include <doctest/doctest.h>
 #include <string.h>
 
-#include <vector>
+#include <string>
+
+#include "Names.h"
+#include "Script.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
+using State = FileWriteTransfer::State;
 
 namespace {
 
-typedef FileWriteTransfer::State State;
-typedef FileWriteTransfer::Request Request;
-
-Pace pace;
-uint16_t sequence;
-
-FileWriteTransfer begun(uint16_t items) {
-  pace = Pace();
-
-  sequence = 1000;
+// A writing and its clock, which begins shortly before it wraps.
+class Writing {
+ public:
   FileWriteTransfer transfer;
-  memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
-  transfer.begin(items);
-  return transfer;
-}
 
-// Sends what is due, all at once.
-Request sent(FileWriteTransfer& transfer, uint16_t nowMs = 0) {
-  REQUIRE(transfer.isDue());
-  const Request request = transfer.begun(sequence);
-  CHECK(transfer.isLeaving());
-  transfer.onLeft(nowMs);
-  CHECK_FALSE(transfer.isLeaving());
-  return request;
-}
+  explicit Writing(uint16_t items) {
+    memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
+    transfer.begin(items);
+  }
 
-FileWriteTransfer open(uint16_t items, uint16_t tookMs = 20) {
-  FileWriteTransfer transfer = begun(items);
-  CHECK_FALSE(transfer.onAnswer(sent(transfer).sequence, tookMs, pace));
-  return transfer;
-}
+  // What leaves, each request behind its number, and how it ends, when this happens:
+  // answer N: to the request with this number; wait N: so many ms pass, one by one; silence: a minute
+  // lossy: a loss is noted; line slow: what leaves from here on is not all gone before "left"
+  // written: says how many items have been
+  std::string plays(const std::string& script) {
+    said_ = Transcript();
+    spokeMs_ = elapsedMs_;
+    leave();
+    for (const Event& event : eventsOf(script)) {
+      happens(event);
+      leave();
+    }
+    return said_.text();
+  }
 
-bool goesOn(Status status) { return status == Status::Transferring; }
+ private:
+  Pace pace_ = Pace();
+  Transcript said_;
+  bool hasEnded_ = false, isSlow_ = false;
+  uint16_t sequence_ = 0;
+  uint32_t elapsedMs_ = 0, spokeMs_ = 0;
+
+  uint16_t now() const { return static_cast<uint16_t>(65000 + elapsedMs_); }
+  void note(const std::string& what) {
+    said_.note(what, elapsedMs_ - spokeMs_);
+    spokeMs_ = elapsedMs_;
+  }
+  void happens(const Event& event) {
+    if (event.is("answer") && transfer.onAnswer(static_cast<uint16_t>(event.number), now(), pace_)) note("closed");
+    if (event.is("lossy")) pace_.noteLoss();
+    if (event.is("line slow")) isSlow_ = true;
+    if (event.is("left")) transfer.onLeft(now());
+    if (event.is("written")) note("written " + std::to_string(transfer.itemsWritten()));
+    uint32_t ms = event.is("wait") ? event.number : event.is("silence") ? 60000 : 0;
+    for (; ms != 0 && !hasEnded_; --ms) {
+      ++elapsedMs_;
+      const Status status = transfer.onTime(now(), pace_);
+      hasEnded_ = status != Status::Transferring;
+      if (hasEnded_) note(nameOf(status));
+      leave();
+    }
+  }
+  void leave() {
+    while (!hasEnded_ && !transfer.isLeaving() && transfer.isDue()) {
+      const State state = transfer.state();
+      const FileWriteTransfer::Request request = transfer.begun(sequence_);
+      CHECK(transfer.isLeaving());
+      std::string what = state == State::Creating ? "create" : state == State::Heading ? "header" : "close";
+      if (state == State::Items) what = "item " + std::to_string(request.first);
+      if (request.count > 1) what = "items" + what.substr(4) + "-" + std::to_string(request.first + request.count - 1);
+      note("#" + std::to_string(request.sequence) + " " + what);
+      if (!isSlow_) transfer.onLeft(now());
+    }
+  }
+};
 
 }  // namespace
 
 TEST_CASE("a file is created, its items written six at a time, then its header, and it is closed") {
-  FileWriteTransfer transfer = begun(8);
-  CHECK(transfer.state() == State::Creating);
-  CHECK_FALSE(transfer.onAnswer(sent(transfer).sequence, 100, pace));
-  CHECK(transfer.state() == State::Items);
-  const Request first = sent(transfer);
-  CHECK(first.first == 0);
-  CHECK(first.count == 6);
-  CHECK_FALSE(transfer.isDue());  // the answer was slow
-  CHECK_FALSE(transfer.onAnswer(first.sequence, 100, pace));
-  CHECK(transfer.itemsWritten() == 6);
-  const Request second = sent(transfer);
-  CHECK(second.first == 6);
-  CHECK(second.count == 2);
-  CHECK(transfer.state() == State::Items);
-  CHECK_FALSE(transfer.onAnswer(second.sequence, 100, pace));
-  CHECK(transfer.state() == State::Heading);
-  CHECK_FALSE(transfer.onAnswer(sent(transfer).sequence, 100, pace));
-  CHECK(transfer.state() == State::Closing);
-  CHECK(transfer.onAnswer(sent(transfer).sequence, 100, pace));
+  CHECK(Writing(8).plays("wait 100, answer 1, wait 100, answer 2, written, wait 100, answer 3, wait 100, answer 4, "
+                         "wait 100, answer 5") ==
+        "#1 create, 100 #2 items 0-5, 100 #3 items 6-7, written 6, 100 #4 header, 100 #5 close, 100 closed");
+  // An empty plan is a header alone.
+  CHECK(Writing(0).plays("answer 1, answer 2") == "#1 create, #2 header, #3 close");
 }
 
 TEST_CASE("each request has a number of its own, and its repeats have the same") {
-  FileWriteTransfer transfer = begun(1);
-  const Request create = sent(transfer);
-  CHECK(create.sequence == 1001);
-  CHECK(goesOn(transfer.onTime(599, pace)));
-  CHECK_FALSE(transfer.isDue());
-  CHECK(goesOn(transfer.onTime(600, pace)));
-  CHECK(sent(transfer, 600).sequence == create.sequence);
-  CHECK(transfer.isOpen(create.sequence));
-  CHECK_FALSE(transfer.isOpen(1002));
-  transfer.onAnswer(create.sequence, 620, pace);
-  CHECK_FALSE(transfer.isOpen(create.sequence));
-  CHECK(sent(transfer).sequence == 1002);
+  Writing writing(1);
+  CHECK(writing.plays("wait 620") == "#1 create, 600 #1 create");
+  CHECK(writing.transfer.isOpen(1));
+  CHECK_FALSE(writing.transfer.isOpen(2));
+  CHECK(writing.plays("answer 1") == "#2 item 0");
+  CHECK_FALSE(writing.transfer.isOpen(1));
 }
 
 TEST_CASE("two writes are on their way where the answers come quickly") {
-  FileWriteTransfer transfer = open(20);
-  const Request one = sent(transfer), other = sent(transfer);
-  CHECK(one.first == 0);
-  CHECK(other.first == 6);
-  CHECK_FALSE(transfer.isDue());
+  Writing writing(20);
+  CHECK(writing.plays("wait 40, answer 1") == "#1 create, 40 #2 items 0-5, #3 items 6-11");
   // The header waits for both, whichever is answered first.
-  transfer.onAnswer(other.sequence, 20, pace);
-  const Request third = sent(transfer);
-  CHECK(third.first == 12);
-  CHECK(third.count == 6);
-  transfer.onAnswer(one.sequence, 20, pace);
-  const Request last = sent(transfer);
-  CHECK(last.first == 18);
-  CHECK(last.count == 2);
-  transfer.onAnswer(last.sequence, 20, pace);
-  CHECK(transfer.state() == State::Items);
-  transfer.onAnswer(third.sequence, 20, pace);
-  CHECK(transfer.state() == State::Heading);
+  CHECK(writing.plays("answer 3, answer 2") == "#4 items 12-17, #5 items 18-19");
+  CHECK(writing.plays("answer 5") == "");
+  CHECK(writing.plays("answer 4") == "#6 header");
 }
 
 TEST_CASE("an answer after more than 40 ms, or to a repeat, lets one write go at a time") {
-  FileWriteTransfer late = open(20, 41);
-  sent(late);
-  CHECK_FALSE(late.isDue());
-
-  FileWriteTransfer repeated = begun(20);
-  const Request create = sent(repeated);
-  repeated.onTime(600, pace);
-  sent(repeated, 600);
-  repeated.onAnswer(create.sequence, 620, pace);
-  sent(repeated);
-  CHECK_FALSE(repeated.isDue());
+  CHECK(Writing(20).plays("wait 41, answer 1") == "#1 create, 41 #2 items 0-5");
+  CHECK(Writing(20).plays("wait 620, answer 1") == "#1 create, 600 #1 create, 20 #2 items 0-5");
 }
 
 TEST_CASE("a lossy link is given one item at a time, also of a write that was longer") {
-  FileWriteTransfer transfer = open(8, 100);
-  const Request six = sent(transfer);
-  CHECK(six.count == 6);
-  pace.noteLoss();
-  uint16_t now = 0;
-  while (!transfer.isDue()) REQUIRE(goesOn(transfer.onTime(++now, pace)));
-  std::vector<uint16_t> written;
-  while (transfer.state() == State::Items) {
-    const Request one = sent(transfer, now);
-    CHECK(one.count == 1);
-    CHECK(one.sequence != six.sequence);
-    written.push_back(one.first);
-    transfer.onAnswer(one.sequence, now, pace);
-  }
-  CHECK(written == std::vector<uint16_t>{0, 1, 2, 3, 4, 5, 6, 7});
+  Writing writing(8);
+  CHECK(writing.plays("wait 100, answer 1, lossy, wait 50") == "#1 create, 100 #2 items 0-5, 50 #3 item 0");
+  CHECK(writing.plays("answer 3 to 10") ==
+        "#4 item 1, #5 item 6, #6 item 2, #7 item 7, #8 item 3, #9 item 4, #10 item 5, #11 header");
 }
 
 TEST_CASE("an answer that comes while its repeat is leaving is taken, and the repeat leaves") {
-  FileWriteTransfer transfer = open(7, 100);
-  const Request six = sent(transfer);
-  transfer.onTime(1000, pace);
-  transfer.begun(sequence);
-  transfer.onAnswer(six.sequence, 1010, pace);
-  CHECK(transfer.itemsWritten() == 6);
-  CHECK(transfer.isLeaving());
-  transfer.onLeft(1020);
-  const Request next = sent(transfer, 1020);
-  CHECK(next.first == 6);
-  CHECK(next.count == 1);
-}
-
-TEST_CASE("an empty plan is a header alone") {
-  FileWriteTransfer transfer = open(0);
-  CHECK(transfer.state() == State::Heading);
+  CHECK(Writing(7).plays("wait 100, answer 1, line slow, wait 1010, answer 2, written, wait 10, left") ==
+        "#1 create, 100 #2 items 0-5, 1000 #2 items 0-5, 10 written 6, 10 #3 item 6");
 }
 
 TEST_CASE("silence ends the writing as its state says") {
-  struct {
-    int answers;
-    uint16_t waitMs;
-    int tries;
-    Status status;
-  } const cases[] = {{0, 600, 12, Status::NoAnswer},
-                     {1, 1000, 8, Status::TimedOut},
-                     {2, 1000, 8, Status::Unconfirmed},
-                     {3, 1000, 8, Status::Unconfirmed}};
-  for (const auto& one : cases) {
-    FileWriteTransfer transfer = begun(1);
-    for (int answered = 0; answered < one.answers; ++answered) transfer.onAnswer(sent(transfer).sequence, 100, pace);
-    uint16_t now = 65000;
-    for (int tries = 0; tries < one.tries; ++tries) {
-      sent(transfer, now);
-      now = static_cast<uint16_t>(now + one.waitMs - 1);
-      CHECK(goesOn(transfer.onTime(now, pace)));
-      CHECK_FALSE(transfer.isDue());
-      const Status status = transfer.onTime(++now, pace);
-      CHECK((status == (tries + 1 < one.tries ? Status::Transferring : one.status)));
-    }
-  }
+  CHECK(Writing(1).plays("silence") == "#1 create, 600 #1 create (11 times), 600 NoAnswer");
+  const std::string created = "wait 100, answer 1, ", written = created + "answer 2, ", headed = written + "answer 3, ";
+  CHECK(Writing(1).plays(created + "silence") == "#1 create, 100 #2 item 0, 1000 #2 item 0 (7 times), 1000 TimedOut");
+  CHECK(Writing(1).plays(written + "silence") ==
+        "#1 create, 100 #2 item 0, #3 header, 1000 #3 header (7 times), 1000 Unconfirmed");
+  CHECK(Writing(1).plays(headed + "silence") ==
+        "#1 create, 100 #2 item 0, #3 header, #4 close, 1000 #4 close (7 times), 1000 Unconfirmed");
 }
