@@ -3,242 +3,184 @@
 #include <doctest/doctest.h>
 #include <string.h>
 
-#include <initializer_list>
+#include <string>
+
+#include "Names.h"
+#include "Script.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
+using Send = FileReadTransfer::Send;
 
 namespace {
 
-typedef FileReadTransfer::State State;
-typedef FileReadTransfer::Send Send;
-
-Pace pace;
-
-// In the client the memory may hold anything before begin().
-FileReadTransfer begun(bool takesAnyOrder = true) {
-  pace = Pace();
-
+// A reading and its clock, which begins shortly before it wraps.
+class Reading {
+ public:
   FileReadTransfer transfer;
-  memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
-  transfer.begin(takesAnyOrder);
-  return transfer;
-}
+  Pace pace;
+
+  explicit Reading(bool takesAnyOrder = true) {
+    memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
+    pace = Pace();
+    transfer.begin(takesAnyOrder);
+  }
+
+  // What leaves, how it ends, and which items are not used, when this happens:
+  // opened, count N, item N, burst ends, closed: the answers; wait N: so many ms pass, one by one; silence: a minute
+  // lossy: a loss is noted; line full, line free: what is due stays
+  // taken: says how many items have been; differs: what came is not what was expected, and the file is closed
+  std::string plays(const std::string& script) {
+    said_ = Transcript();
+    spokeMs_ = elapsedMs_;
+    for (const Event& event : eventsOf(script)) {
+      if (event.is("line full") || event.is("line free")) isFull_ = event.is("line full");
+      leave();
+      happens(event, static_cast<uint16_t>(event.number));
+      leave();
+      if (status_ == Status::Transferring) continue;
+      said_.note(nameOf(status_), sinceSpoken());
+      break;
+    }
+    return said_.text();
+  }
+
+ private:
+  Transcript said_;
+  Status status_ = Status::Transferring;
+  uint32_t elapsedMs_ = 0, spokeMs_ = 0;
+  bool isFull_ = false;
+
+  uint16_t now() const { return static_cast<uint16_t>(65000 + elapsedMs_); }
+  uint32_t sinceSpoken() {
+    const uint32_t ms = elapsedMs_ - spokeMs_;
+    spokeMs_ = elapsedMs_;
+    return ms;
+  }
+  void happens(const Event& event, uint16_t number) {
+    if (event.is("opened")) transfer.onOpened(now(), pace);
+    if (event.is("count") && !transfer.onCount(number, now(), pace)) said_.note("ignored count", sinceSpoken(), number);
+    if (event.is("item") && transfer.wants(number)) {
+      transfer.onItem(number, now(), pace);
+    } else if (event.is("item")) {
+      transfer.onUnused(now());
+      said_.note("unused", sinceSpoken(), number);
+    }
+    if (event.is("burst ends")) transfer.onBurstEnd();
+    if (event.is("burst ends") && transfer.isTooSlow()) said_.note("too slow", sinceSpoken());
+    if (event.is("closed")) status_ = transfer.onClosed();
+    if (event.is("lossy")) pace.noteLoss();
+    if (event.is("taken")) said_.note("taken", sinceSpoken(), transfer.itemsTaken());
+    if (event.is("differs")) transfer.close(Status::Differs);
+    uint32_t ms = event.is("wait") ? event.number : event.is("silence") ? 60000 : 0;
+    for (; ms != 0 && status_ == Status::Transferring; --ms) {
+      ++elapsedMs_;
+      status_ = transfer.onTime(now(), pace);
+      leave();
+    }
+  }
+  void leave() {
+    if (isFull_ || transfer.toSend() == Send::Nothing) return;
+    switch (transfer.toSend()) {
+      case Send::Open: said_.note("open", sinceSpoken()); break;
+      case Send::Header: said_.note("header", sinceSpoken()); break;
+      case Send::Burst: said_.note("burst", sinceSpoken(), transfer.itemToAsk()); break;
+      case Send::Item: said_.note("item", sinceSpoken(), transfer.itemToAsk()); break;
+      case Send::Close: said_.note("close", sinceSpoken()); break;
+      case Send::Nothing: break;
+    }
+    transfer.sent(now());
+  }
+};
 
 // As far as the first burst, which has been asked for.
-FileReadTransfer bursting(uint16_t items, bool takesAnyOrder = true) {
-  FileReadTransfer transfer = begun(takesAnyOrder);
-  transfer.sent(0);
-  transfer.onOpened(0, pace);
-  transfer.sent(0);
-  transfer.onCount(items, 0, pace);
-  transfer.sent(0);
-  return transfer;
+Reading bursting(unsigned items, bool takesAnyOrder = true) {
+  Reading reading(takesAnyOrder);
+  CHECK(reading.plays("opened, count " + std::to_string(items)) == "open, header, burst 0");
+  return reading;
 }
-
-bool take(FileReadTransfer& transfer, uint16_t item, uint16_t nowMs = 0) {
-  const bool isWanted = transfer.wants(item);
-  if (isWanted) {
-    transfer.onItem(item, nowMs, pace);
-  } else {
-    transfer.onUnused(nowMs);
-  }
-  return isWanted;
-}
-
-bool goesOn(Status status) { return status == Status::Transferring; }
 
 }  // namespace
 
 TEST_CASE("a file is opened, its length read, its items given in one burst, and it is closed") {
-  FileReadTransfer transfer = begun();
-  CHECK(transfer.toSend() == Send::Open);
-  transfer.sent(0);
-  CHECK(transfer.toSend() == Send::Nothing);
-  transfer.onOpened(20, pace);
-  CHECK(transfer.toSend() == Send::Header);
-  transfer.sent(20);
-  CHECK(transfer.onCount(3, 40, pace));
-  CHECK(transfer.toSend() == Send::Burst);
-  CHECK(transfer.itemToAsk() == 0);
-  transfer.sent(40);
-  for (uint16_t item = 0; item < 3; ++item) CHECK(take(transfer, item));
-  CHECK(transfer.itemsTaken() == 3);
-  CHECK(transfer.toSend() == Send::Close);
-  CHECK(goesOn(transfer.onClosed()));
-  transfer.sent(60);
-  CHECK((transfer.onClosed() == Status::Downloaded));
+  CHECK(Reading().plays("wait 20, opened, wait 20, count 3, item 0 to 1, line full, item 2, taken, closed, line free, "
+                        "wait 20, closed") == "open, 20 header, 20 burst 0, taken 3, close, 20 Downloaded");
 }
 
 TEST_CASE("answers to what was not asked for are ignored") {
-  FileReadTransfer transfer = begun();
-  transfer.onOpened(0, pace);
-  CHECK(transfer.state() == State::Opening);
-  transfer.sent(0);
-  CHECK_FALSE(transfer.onCount(3, 0, pace));
-  CHECK_FALSE(transfer.wants(0));
-  transfer.onBurstEnd();
-  transfer.onOpened(0, pace);
-  CHECK_FALSE(transfer.onCount(3, 0, pace));
-  transfer.sent(0);
-  CHECK(transfer.onCount(3, 0, pace));
-  CHECK_FALSE(transfer.onCount(4, 0, pace));
-  CHECK(transfer.count() == 3);
-  CHECK_FALSE(transfer.wants(3));
+  Reading reading;
+  CHECK(reading.plays("line full, opened, line free, count 3, item 0, burst ends") ==
+        "open, ignored count 3, unused 0");
+  CHECK(reading.plays("line full, opened, count 3, line free, count 3, count 4, item 3, item 0 to 2") ==
+        "ignored count 3, header, burst 0, ignored count 4, unused 3, close");
+  CHECK(reading.transfer.count() == 3);
 }
 
 TEST_CASE("an empty file is closed at once, and a file of one item needs no burst") {
-  CHECK(bursting(0).state() == State::Closing);
-  FileReadTransfer transfer = begun();
-  transfer.sent(0);
-  transfer.onOpened(0, pace);
-  transfer.sent(0);
-  transfer.onCount(1, 0, pace);
-  CHECK(transfer.toSend() == Send::Item);
+  CHECK(Reading().plays("opened, count 0") == "open, header, close");
+  CHECK(Reading().plays("opened, count 1") == "open, header, item 0");
 }
 
 TEST_CASE("the opening is repeated 12 times, 600 ms apart, and then there is no FTP") {
-  FileReadTransfer transfer = begun();
-  uint16_t now = 65000;
-  for (int tries = 0; tries < 12; ++tries) {
-    CHECK(transfer.toSend() == Send::Open);
-    transfer.sent(now);
-    CHECK(transfer.tries() == tries + 1);
-    now = static_cast<uint16_t>(now + 599);
-    CHECK(goesOn(transfer.onTime(now, pace)));
-    CHECK(transfer.toSend() == Send::Nothing);
-    const Status status = transfer.onTime(++now, pace);
-    CHECK((status == (tries < 11 ? Status::Transferring : Status::NoAnswer)));
-  }
+  Reading reading;
+  CHECK(reading.plays("silence") == "open, 600 open (11 times), 600 NoAnswer");
+  CHECK(reading.transfer.tries() == 12);
 }
 
 TEST_CASE("an item is asked for 8 times, 250 ms apart, and then the time is out") {
-  FileReadTransfer transfer = bursting(2);
-  take(transfer, 0);
-  transfer.onBurstEnd();
-  uint16_t now = 0;
-  for (int tries = 0; tries < 8; ++tries) {
-    CHECK(transfer.toSend() == Send::Item);
-    CHECK(transfer.itemToAsk() == 1);
-    transfer.sent(now);
-    now = static_cast<uint16_t>(now + 249);
-    CHECK(goesOn(transfer.onTime(now, pace)));
-    const Status status = transfer.onTime(++now, pace);
-    CHECK((status == (tries < 7 ? Status::Transferring : Status::TimedOut)));
-  }
+  CHECK(bursting(2).plays("item 0, burst ends, silence") == "item 1, 250 item 1 (7 times), 250 TimedOut");
 }
 
 TEST_CASE("items that a burst has left out are read one by one, the first first") {
-  FileReadTransfer transfer = bursting(20);
-  for (uint16_t item : {0, 1, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19}) CHECK(take(transfer, item));
-  CHECK_FALSE(take(transfer, 5));
-  transfer.onBurstEnd();
-  for (uint16_t item : {2, 3, 7}) {
-    CHECK(transfer.toSend() == Send::Item);
-    CHECK(transfer.itemToAsk() == item);
-    transfer.sent(0);
-    CHECK(take(transfer, item));
-  }
-  CHECK(transfer.state() == State::Closing);
-  CHECK(transfer.itemsTaken() == 20);
+  CHECK(bursting(20).plays("item 0 to 1, item 4 to 6, item 8 to 19, item 5, burst ends, item 2, item 3, taken, item 7, "
+                           "taken") == "unused 5, item 2 to 3, item 7, taken 19, close, taken 20");
 }
 
 TEST_CASE("the middle of a hole is not taken, its ends are") {
-  FileReadTransfer transfer = bursting(6);
-  CHECK(take(transfer, 4));
-  CHECK_FALSE(transfer.wants(1));
-  CHECK(take(transfer, 3));
-  CHECK(take(transfer, 0));
-  CHECK(transfer.itemToAsk() == 1);
-  CHECK(take(transfer, 2));
-  CHECK(take(transfer, 1));
-  CHECK(take(transfer, 5));
-  CHECK(transfer.state() == State::Closing);
+  Reading reading = bursting(6);
+  CHECK(reading.plays("item 4, item 1, item 3, item 0") == "unused 1");
+  CHECK(Reading(reading).plays("burst ends") == "item 1");
+  CHECK(reading.plays("item 2, item 1, item 5") == "close");
 }
 
 TEST_CASE("there is room for 4 holes; what lies behind a fifth is asked for again") {
-  FileReadTransfer transfer = bursting(40);
-  uint16_t item = 0;
-  for (; item < 8; item += 2) CHECK(take(transfer, item + 1));  // 0, 2, 4 and 6 are missing
-  CHECK_FALSE(take(transfer, 9));
-  CHECK(take(transfer, 8));
-  CHECK(take(transfer, 9));
-  CHECK(transfer.itemToAsk() == 0);
+  CHECK(bursting(40).plays("item 1, item 3, item 5, item 7, item 9, item 8, item 9, burst ends") ==
+        "unused 9, too slow, item 0");
 }
 
 TEST_CASE("where the order matters nothing behind a lost item is taken, and another burst brings it") {
-  FileReadTransfer transfer = bursting(20, false);
-  take(transfer, 0);
-  for (uint16_t item = 2; item < 20; ++item) CHECK_FALSE(take(transfer, item));
-  transfer.onBurstEnd();
-  CHECK(transfer.toSend() == Send::Burst);
-  CHECK(transfer.itemToAsk() == 1);
-  CHECK_FALSE(transfer.isTooSlow());
+  CHECK(bursting(20, false).plays("item 0, item 2 to 19, burst ends") == "unused 2 to 19, burst 1");
 }
 
 TEST_CASE("a burst of which more than 1 of 8 pieces is lost is the last, and many items are left to another way") {
-  for (uint16_t lost : {2, 3}) {
-    FileReadTransfer transfer = bursting(16, false);
-    for (uint16_t item = lost; item < 16; ++item) take(transfer, item);
-    transfer.onBurstEnd();
-    CHECK((transfer.toSend() == (lost == 2 ? Send::Burst : Send::Item)));
-    CHECK(transfer.isTooSlow() == (lost == 3));
-  }
-  FileReadTransfer few = bursting(8);
-  few.onBurstEnd();
-  CHECK(few.toSend() == Send::Item);
-  CHECK_FALSE(few.isTooSlow());
+  CHECK(bursting(16, false).plays("item 2 to 15, burst ends") == "unused 2 to 15, burst 0");
+  CHECK(bursting(16, false).plays("item 3 to 15, burst ends") == "unused 3 to 15, too slow, item 0");
+  CHECK(bursting(8).plays("burst ends") == "item 0");
 }
 
 TEST_CASE("a burst that falls silent is asked for anew, from what is missing") {
-  FileReadTransfer transfer = bursting(20);
-  for (uint16_t item = 0; item < 19; ++item) take(transfer, item, 11 * item);
-  CHECK(goesOn(transfer.onTime(11 * 18 + 249, pace)));
-  CHECK(transfer.toSend() == Send::Nothing);
-  CHECK(goesOn(transfer.onTime(11 * 18 + 250, pace)));
-  CHECK(transfer.toSend() == Send::Item);
-  CHECK(transfer.itemToAsk() == 19);
-
-  FileReadTransfer unheard = bursting(20);
-  CHECK(goesOn(unheard.onTime(250, pace)));
-  CHECK(unheard.toSend() == Send::Burst);
-  CHECK(unheard.tries() == 1);
+  CHECK(bursting(20).plays("wait 198, item 0 to 18, wait 250") == "448 item 19");
+  CHECK(bursting(20).plays("wait 250") == "250 burst 0");
 }
 
 TEST_CASE(
     "on a lossy line that answers late a burst is asked for again after one and a half round trips, an item sooner") {
   for (bool isBurst : {true, false}) {
-    FileReadTransfer transfer = begun(true);
-    pace.noteLoss();
-    transfer.sent(0);
-    transfer.sent(50);              // repeated
-    transfer.onOpened(1000, pace);  // whichever was answered: no more than a second
-    CHECK(pace.roundTripMs() == 1000);
-    transfer.sent(1000);
-    transfer.onCount(isBurst ? 20 : 1, 1990, pace);
-    CHECK(pace.roundTripMs() == 990);
-    transfer.sent(1990);
-    const uint16_t waitMs = isBurst ? 990 + 990 / 2 : Pace::kMostWaitMs;
-    CHECK(goesOn(transfer.onTime(static_cast<uint16_t>(1990 + waitMs - 1), pace)));
-    CHECK(transfer.toSend() == Send::Nothing);
-    CHECK(goesOn(transfer.onTime(static_cast<uint16_t>(1990 + waitMs), pace)));
-    CHECK(transfer.toSend() == (isBurst ? Send::Burst : Send::Item));
+    Reading reading;
+    CHECK(reading.plays("lossy, wait 1000, opened") == "open, 50 open (20 times), header");
+    CHECK(reading.pace.roundTripMs() == 1000);  // whichever was answered: no more than a second
+    CHECK(reading.plays(isBurst ? "wait 990, count 20" : "wait 990, count 1") ==
+          (isBurst ? "100 header (9 times), 90 burst 0" : "100 header (9 times), 90 item 0"));
+    CHECK(reading.pace.roundTripMs() == 990);
+    CHECK(reading.plays("wait 1500") == (isBurst ? "1485 burst 0" : "100 item 0 (15 times)"));
   }
 }
 
 TEST_CASE("pieces of a burst show that the answer to a request behind it is still to come") {
-  FileReadTransfer transfer = bursting(20, false);
-  take(transfer, 0);
-  for (uint16_t item = 2; item < 20; ++item) take(transfer, item, 100 * item);
-  CHECK(goesOn(transfer.onTime(1900 + 249, pace)));
-  CHECK(transfer.toSend() == Send::Nothing);
+  CHECK(bursting(20, false).plays("item 0, wait 240, item 2, wait 240, item 3, wait 249") ==
+        "240 unused 2, 240 unused 3");
 }
 
 TEST_CASE("a closing that is not answered ends the reading all the same, as it was to end") {
-  FileReadTransfer transfer = bursting(3);
-  transfer.close(Status::Differs);
-  CHECK(transfer.toSend() == Send::Close);
-  transfer.sent(0);
-  CHECK(goesOn(transfer.onTime(249, pace)));
-  CHECK((transfer.onTime(250, pace) == Status::Differs));
+  CHECK(bursting(3).plays("differs, wait 250") == "close, 250 Differs");
 }
