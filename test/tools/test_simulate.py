@@ -5,13 +5,10 @@ from __future__ import annotations
 import contextlib
 import functools
 import os
-import queue
 import re
 import signal
 import socket
 import subprocess
-import sys
-import threading
 import tty
 from collections.abc import Callable
 from pathlib import Path
@@ -31,7 +28,6 @@ from simulation.mega.realtime import RealTime
 from simulation.mega.words import Words
 
 SOURCES = Path(__file__).resolve().parents[1] / "machine"
-AUTOPILOT = Path(__file__).resolve().parents[1] / "support" / "autopilot_process.py"
 
 
 class Clock:
@@ -136,7 +132,8 @@ def test_a_pty_that_nobody_reads_does_not_stop_the_mega(world):
 def test_a_tcp_client_finds_its_peer_again_after_the_peer_restarts(world, clock):
     listener = socket.create_server(("127.0.0.1", 0))
     port = listener.getsockname()[1]
-    end = open_end(f"tcp:127.0.0.1:{port}", clock, quiet)
+    said = []
+    end = open_end(f"tcp:127.0.0.1:{port}", clock, said.append)
     world.connect(1, end)
     for _ in range(2):
         slices_until(world, lambda: end.connected)
@@ -148,7 +145,8 @@ def test_a_tcp_client_finds_its_peer_again_after_the_peer_restarts(world, clock)
         peer.close()
         slices_until(world, lambda: not end.connected)
         world.run(seconds=2)
-        assert not end.connected
+        assert said == [f"{end.name}: connected", f"{end.name}: connection lost"]
+        said.clear()
         listener = socket.create_server(("127.0.0.1", port))
     listener.close()
 
@@ -361,87 +359,62 @@ def test_answer_goes_on_the_line_in_the_midst_of_a_flood(feeder, name):
     assert [number for number in numbers_in(feeder.run_dry()) if number > 1] == sent
 
 
-class UdpPeer:
-    """What sends datagrams to udp-listen:PORT, and gets the answers."""
+class Peer:
+    """Another program, at the far end of UDP, TCP or a serial device. What the way does not take is kept, as a SITL
+    keeps it."""
 
-    def __init__(self) -> None:
-        self._port = free_port(socket.SOCK_DGRAM)
-        self.form = f"udp-listen:{self._port}"
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.setblocking(False)
+    def __init__(self, kind: str) -> None:
+        self._kept = b""
+        self._listener: socket.socket | None = None
+        if kind == "udp":
+            port = free_port(socket.SOCK_DGRAM)
+            self.form = f"udp-listen:{port}"
+            way = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            way.connect(("127.0.0.1", port))
+            self._use(way.detach())
+        elif kind == "tcp":
+            self._listener = socket.create_server(("127.0.0.1", 0))
+            self._listener.setblocking(False)
+            self.form = f"tcp:127.0.0.1:{self._listener.getsockname()[1]}"
+            self._way = None
+        else:
+            master, self._slave = os.openpty()
+            tty.setraw(self._slave)
+            self.form = f"{os.ttyname(self._slave)}@57600"
+            self._use(master)
+
+    def _use(self, way: int) -> None:
+        os.set_blocking(way, False)
+        self._way: int | None = way
+
+    def _is_there(self) -> bool:
+        if self._way is None:
+            with contextlib.suppress(BlockingIOError):
+                connection = self._listener.accept()[0]
+                # Or the computer would hold small pieces back, by its own clock.
+                connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+                self._use(connection.detach())
+        return self._way is not None
 
     def send(self, data: bytes) -> None:
-        self._socket.sendto(data, ("127.0.0.1", self._port))
+        if self._is_there():
+            self._kept += data
+            with contextlib.suppress(BlockingIOError):
+                self._kept = self._kept[os.write(self._way, self._kept) :]
 
     def heard(self) -> bytes:
         data = b""
         with contextlib.suppress(BlockingIOError):
-            while True:
-                data += self._socket.recv(4096)
+            while self._is_there() and (piece := os.read(self._way, 4096)):
+                data += piece
         return data
 
     def close(self) -> None:
-        self._socket.close()
-
-
-class TcpPeer:
-    """The same by TCP; what the connection does not take is kept, as a SITL does."""
-
-    def __init__(self) -> None:
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self._listener.setblocking(False)
-        self.form = f"tcp:127.0.0.1:{self._listener.getsockname()[1]}"
-        self._connection: socket.socket | None = None
-        self._kept = b""
-
-    def send(self, data: bytes) -> None:
-        if self._connection is None:
-            with contextlib.suppress(BlockingIOError):
-                self._connection = self._listener.accept()[0]
-                self._connection.setblocking(False)
-                # Or the computer would hold small pieces back, by its own clock.
-                self._connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            return
-        self._kept += data
-        with contextlib.suppress(BlockingIOError):
-            self._kept = self._kept[self._connection.send(self._kept) :]
-
-    def heard(self) -> bytes:
-        if self._connection is None:
-            return b""
-        with contextlib.suppress(BlockingIOError):
-            return self._connection.recv(4096)
-        return b""
-
-    def close(self) -> None:
-        self._listener.close()
-        if self._connection is not None:
-            self._connection.close()
-
-
-class PtyPeer:
-    """The same by a serial device of this computer."""
-
-    def __init__(self) -> None:
-        self._master, self._slave = os.openpty()
-        tty.setraw(self._slave)
-        os.set_blocking(self._master, False)
-        self.form = f"{os.ttyname(self._slave)}@57600"
-        self._kept = b""
-
-    def send(self, data: bytes) -> None:
-        self._kept += data
-        with contextlib.suppress(BlockingIOError):
-            self._kept = self._kept[os.write(self._master, self._kept) :]
-
-    def heard(self) -> bytes:
-        with contextlib.suppress(BlockingIOError):
-            return os.read(self._master, 4096)
-        return b""
-
-    def close(self) -> None:
-        os.close(self._master)
-        os.close(self._slave)
+        for one in (self._way, getattr(self, "_slave", None)):
+            if one is not None:
+                os.close(one)
+        if self._listener is not None:
+            self._listener.close()
 
 
 class Talk(Terminal):
@@ -495,9 +468,9 @@ def flooded(clock, personality):
         one.close()
 
 
-@pytest.mark.parametrize("peer", [UdpPeer, TcpPeer, PtyPeer])
+@pytest.mark.parametrize("peer", ["udp", "tcp", "a serial device"])
 def test_ten_items_go_aboard_within_two_seconds_beside_a_flood(flooded, peer):
-    world, console, autopilot, said = flooded(peer())
+    world, console, autopilot, said = flooded(Peer(peer))
     accepted = b"returned %d\n" % status_names().index("Accepted")
     slices_until(world, lambda: b"ready" in console.text)
     console.typed = b"function 10 65535\n"
@@ -515,7 +488,7 @@ def test_ten_items_go_aboard_within_two_seconds_beside_a_flood(flooded, peer):
 
 @pytest.mark.parametrize("personality", ["PX4"])
 def test_what_is_dropped_is_told_after_a_second_every_ten_seconds_and_in_the_end(flooded):
-    world, _, _, said = flooded(UdpPeer())
+    world, _, _, said = flooded(Peer("udp"))
     world.run(0.9)
     assert said == []
     world.run(23.0)
@@ -623,6 +596,16 @@ def test_simulate_shows_serial_and_sends_it_what_is_typed():
     assert ran.stderr.startswith(b"0.200 s simulated, deepest stack ")
 
 
+def test_simulate_that_is_interrupted_says_its_last_words():
+    command = [ROOT / "tools" / "simulate", build_firmware("echo", [SOURCES / "echo.cpp"], library=False)]
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          preexec_fn=can_be_interrupted) as running:  # fmt: skip
+        assert next(line for line in running.stdout if line.startswith(b"ready"))
+        running.send_signal(signal.SIGINT)
+        assert b" s simulated, deepest stack " in running.stderr.read()
+    assert running.returncode == 0
+
+
 @pytest.mark.parametrize("together", [True, False])
 def test_simulates_last_words_stand_on_a_line_of_their_own(together):
     elf = build_firmware("echo", [SOURCES / "echo.cpp"], library=False)
@@ -645,86 +628,3 @@ def test_simulate_connects_serial_to_something_else_too():
     ran = simulate(elf, "--for", 0.05, "--serial0", "none", "--serial1", "none", text=b"hello\n")
     assert ran.stdout == b"Serial is not connected\nSerial1 is not connected\n"
     assert simulate(elf, "--console", "--serial0", "none").returncode == 2
-
-
-# A peer that is a process -----------------------------------------------------------
-
-
-class Process:
-    """A program whose lines, of stdout and stderr, are waited for."""
-
-    LIMIT_S = 60.0  # of real time, for a computer that is busy with other things
-
-    def __init__(self, *command: object) -> None:
-        self._process = subprocess.Popen(
-            list(map(str, command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-            preexec_fn=can_be_interrupted,
-        )  # fmt: skip
-        self._lines: queue.Queue[str | None] = queue.Queue()
-        self._said: list[str] = []
-        threading.Thread(target=self._listen, daemon=True).start()
-
-    def _listen(self) -> None:
-        for line in self._process.stdout:
-            self._lines.put(line.rstrip("\n"))
-        self._lines.put(None)
-
-    def wait_for(self, pattern: str) -> re.Match:
-        """Read on to the first line that has this in it."""
-        while True:
-            try:
-                line = self._lines.get(timeout=self.LIMIT_S)
-            except queue.Empty:
-                line = None
-            assert line is not None, f"no {pattern!r} in:\n" + "\n".join(self._said)
-            self._said.append(line)
-            match = re.search(pattern, line)
-            if match:
-                return match
-
-    def say(self, text: str) -> None:
-        self._process.stdin.write(text)
-        self._process.stdin.flush()
-
-    def stop(self, how: signal.Signals = signal.SIGKILL) -> int:
-        self._process.send_signal(how)
-        code = self._process.wait(self.LIMIT_S)
-        self._process.stdin.close()
-        return code
-
-
-@pytest.fixture
-def start():
-    """Starts a Process, which is killed in the end."""
-    started = []
-
-    def begin(*command) -> Process:
-        started.append(Process(*command))
-        return started[-1]
-
-    yield begin
-    for process in started:
-        if process._process.poll() is None:
-            process.stop()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("personality", ["PX4"])
-def test_mega_uploads_over_tcp_to_a_process_survives_its_restart_and_uploads_again(start, personality):
-    accepted = rf"returned {status_names().index('Accepted')}$"
-    peer = start(sys.executable, AUTOPILOT, personality)
-    port = peer.wait_for(r"listening on (\d+)")[1]
-    mega = start(
-        ROOT / "tools" / "simulate", firmware_image(57600).path, "--console", "--serial1", f"tcp:127.0.0.1:{port}"
-    )
-    mega.wait_for("ready")
-    for _ in range(2):
-        mega.say("flash\nupload 0\n")
-        mega.wait_for(accepted)
-        peer.wait_for("aboard: 4 items")
-        peer.stop()
-        mega.wait_for("connection lost")
-        peer = start(sys.executable, AUTOPILOT, personality, "--port", port)
-        mega.wait_for("127.0.0.1:.*: connected")
-    assert mega.stop(signal.SIGINT) == 0
-    mega.wait_for("s simulated, deepest stack")
