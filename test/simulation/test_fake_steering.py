@@ -1,8 +1,11 @@
-"""What the fake autopilots make of SET_POSITION_TARGET_LOCAL_NED with a velocity.
+"""What the fake autopilots make of SET_POSITION_TARGET_GLOBAL_INT, and of a velocity in SET_POSITION_TARGET_LOCAL_NED.
 
-As ArduCopter 4.6.3, ArduRover 4.6.3 and PX4 1.16 did in their simulators: with nothing more the first two flew on for
-3 s and stood, and PX4's failsafe acted a second behind the last one. A yaw as seen from the aircraft, and what a rover
-makes of the sideways, is by source.
+Places as guided_flight shows it for ArduPilot, and px4/guided_flight_2 where OFFBOARD begins and where its targets end:
+1.14 s behind the last one PX4 said "Failsafe activated", and returned. With a target a second it did so too, and its
+heartbeats showed OFFBOARD all the same, for 8 s: each target took it back. Which frames it takes is by source.
+
+Velocities as ArduCopter 4.6.3, ArduRover 4.6.3 and PX4 1.16 did in their simulators: with nothing more the first two
+flew on for 3 s and stood. A yaw as seen from the aircraft, and what a rover makes of the sideways, is by source.
 """
 
 from __future__ import annotations
@@ -17,6 +20,7 @@ from simulation.fake_autopilot.flight import METRES_PER_E7, Place
 HOME = (-353632621, 1491652371, 584.0)
 US = (255, 190)
 OFFBOARD, HOLD, RTL = (6, 0), (4, 3), (4, 5)
+TO_THE_NORTH = HOME[0] + 5000  # 55.7 m
 OVER_GROUND, OF_AIRCRAFT, GLOBAL = mavlink.MAV_FRAME_LOCAL_NED, mavlink.MAV_FRAME_BODY_NED, 0
 ALONE, WITH_HEADING, WITH_TURN = 0x0DC7, 0x09C7, 0x05C7
 
@@ -30,6 +34,13 @@ def in_the_air(kind, **options):
     if kind is ArduPilot:
         fake.mode = "GUIDED"
     return fake
+
+
+def aim(fake, now: float, frame: int = 5, lat: int = TO_THE_NORTH, alt: float = HOME[2] + 10.0, mask: int = 0x0DF8):
+    message = mavlink.MAVLink_set_position_target_global_int_message(
+        0, *fake.address, frame, mask, lat, HOME[1], alt, 0, 0, 0, 0, 0, 0, 0, 0)  # fmt: skip
+    fake._advance(now)
+    fake._on_set_target(message, US, now)
 
 
 def fly(fake, now: float, *velocity: float, frame: int = OVER_GROUND, mask: int = WITH_TURN, yaw: float = 0.0,
@@ -49,8 +60,91 @@ def moved(fake, now: float) -> tuple[float, float, float]:
             here.height - 10.0)  # fmt: skip
 
 
+def to_offboard(fake, now: float) -> int:
+    return fake._mode_ordered(*OFFBOARD, now)
+
+
 def mode(fake) -> tuple[int, int]:
     return fake.main_mode, fake.sub_mode
+
+
+@pytest.mark.parametrize("say", [aim, lambda fake, now: fly(fake, now, 2.0, 0.0, 0.0)], ids=["places", "velocities"])
+def test_px4_takes_offboard_behind_a_target_and_returns_behind_the_last_one(say):
+    fake = in_the_air(Px4)
+    assert to_offboard(fake, 60.0) == mavlink.MAV_RESULT_TEMPORARILY_REJECTED and mode(fake) == HOLD
+    say(fake, 60.1)
+    assert moved(fake, 60.2)[0] == pytest.approx(0.0, abs=0.05)  # in HOLD
+    assert to_offboard(fake, 60.2) == mavlink.MAV_RESULT_ACCEPTED and mode(fake) == OFFBOARD
+    last = 64.0
+    for step in range(1, 20):
+        say(fake, 60.2 + 0.2 * step)
+    fake._advance(last + 1.0)
+    assert mode(fake) == OFFBOARD and fake.heartbeat().system_status == mavlink.MAV_STATE_ACTIVE
+    fake._advance(last + 1.2)
+    assert mode(fake) == RTL and fake.heartbeat().system_status == mavlink.MAV_STATE_CRITICAL
+    fake._set_mode(*HOLD, last + 3.0)
+    assert fake.heartbeat().system_status == mavlink.MAV_STATE_ACTIVE
+
+
+def test_target_takes_px4_out_of_the_return_for_which_targets_were_missing():
+    fake = in_the_air(Px4)
+    aim(fake, 60.0)
+    to_offboard(fake, 60.1)
+    fake._advance(63.0)
+    assert mode(fake) == RTL
+    aim(fake, 63.1)
+    assert mode(fake) == OFFBOARD and fake.heartbeat().system_status == mavlink.MAV_STATE_ACTIVE
+
+
+def test_target_does_not_take_px4_out_of_a_return_that_was_set_or_has_another_reason():
+    fake = in_the_air(Px4)
+    aim(fake, 60.0)
+    to_offboard(fake, 60.1)
+    fake._set_mode(*RTL, 60.2)
+    fake.in_failsafe = True
+    aim(fake, 60.3)
+    assert mode(fake) == RTL
+
+
+@pytest.mark.parametrize("frame, alt, is_taken", [
+    (5, HOME[2] + 15.0, True), (6, 15.0, True), (0, HOME[2] + 15.0, False), (3, 15.0, False), (11, 15.0, False),
+])  # fmt: skip
+def test_px4_takes_only_the_older_numbers_of_frames(frame, alt, is_taken):
+    fake = in_the_air(Px4)
+    aim(fake, 60.0)
+    to_offboard(fake, 60.1)
+    aim(fake, 60.2, frame, alt=alt)
+    assert (fake.flight.target == Place(TO_THE_NORTH, HOME[1], 15.0)) == is_taken
+
+
+def test_px4_without_home_takes_no_height_above_it():
+    fake = in_the_air(Px4)
+    fake.home_is_known = False
+    aim(fake, 60.0, frame=6, alt=15.0)
+    assert not fake._has_stream(60.0)
+    aim(fake, 60.0)
+    assert fake._has_stream(60.0)
+
+
+@pytest.mark.parametrize("every_s", [0.2, 60.0])
+def test_ardupilot_flies_on_to_the_last_target_however_often_it_is_named(every_s):
+    fake = in_the_air(ArduPilot)
+    now = 60.0
+    while now < 75.0:
+        aim(fake, now, frame=6, alt=12.0)
+        now += every_s
+    fake._advance(90.0)
+    assert fake.flight.where(90.0) == Place(TO_THE_NORTH, HOME[1], 12.0) and fake.mode == "GUIDED"
+
+
+def test_target_that_moves_is_followed_at_full_speed():
+    fake = in_the_air(ArduPilot)
+    speed, ahead = fake.flight.pace.speed, 0
+    for step in range(100):
+        ahead = HOME[0] + 20000 + 20 * step
+        aim(fake, 60.0 + 0.2 * step, frame=6, lat=ahead, alt=10.0)
+    flown = fake.flight.where(80.0).distance(Place(HOME[0], HOME[1], 10.0))
+    assert flown == pytest.approx(20.0 * speed, rel=0.02)
 
 
 def test_ardupilot_flies_on_for_3_s_and_stands():
@@ -79,7 +173,7 @@ def test_velocity_as_seen_from_the_aircraft_is_turned():
     for fake in (in_the_air(ArduPilot), in_the_air(Px4)):
         if isinstance(fake, Px4):
             fly(fake, 59.9, 0.0, 0.0, 0.0)
-            assert fake._mode_ordered(*OFFBOARD, 59.95) == mavlink.MAV_RESULT_ACCEPTED
+            assert to_offboard(fake, 59.95) == mavlink.MAV_RESULT_ACCEPTED
         fake.flight.face(90.0)
         fly(fake, 60.0, 2.0, 1.0, 0.0, frame=OF_AIRCRAFT)
         assert moved(fake, 61.0) == pytest.approx((-1.0, 2.0, 0.0), abs=0.05)
@@ -105,18 +199,6 @@ def test_rover_drives_forward_where_it_is_sent_and_backwards_with_a_turn():
     assert moved(fake, 62.0)[:2] == pytest.approx((0.0, 0.0), abs=0.05)
     fly(fake, 62.0, 0.0, 0.0, 0.0, mask=ALONE)  # to the north, at no speed
     assert fake.flight.heading(62.0) == pytest.approx(0.0)
-
-
-def test_px4_takes_velocities_as_targets_of_offboard_and_returns_behind_the_last_one():
-    fake = in_the_air(Px4)
-    assert fake._mode_ordered(*OFFBOARD, 60.0) == mavlink.MAV_RESULT_TEMPORARILY_REJECTED
-    fly(fake, 60.1, 2.0, 0.0, 0.0)
-    assert moved(fake, 60.2)[0] == pytest.approx(0.0, abs=0.05)  # in HOLD
-    assert fake._mode_ordered(*OFFBOARD, 60.2) == mavlink.MAV_RESULT_ACCEPTED
-    fly(fake, 60.3, 2.0, 0.0, 0.0)
-    assert moved(fake, 61.3)[0] == pytest.approx(2.0, abs=0.05) and mode(fake) == OFFBOARD
-    fake._advance(61.6)
-    assert mode(fake) == RTL
 
 
 def test_px4_takes_neither_another_frame_nor_a_place():
