@@ -1,5 +1,7 @@
 """The fake autopilots start, jump, refuse and end a mission as the real ones in simulation/recordings did.
 
+And they are flown without a mission, by commands, as those were.
+
 As in test_recordings.py the client's side of each recording is played to a fake. Here a vehicle
 moves, and so the pace of flying is the recording's: the fake arrives at an item, and on the
 ground, when the real one did.
@@ -10,12 +12,16 @@ ground, when the real one did.
   from time to time is compared with what the fake would tell then.
 - HEARTBEAT is compared with what the fake would tell then, but for ArduCopter's system_status:
   when that says that it flies depends on how it flies.
+- Whether it is landed, and where it flies to, is compared where there is no plan.
 - Texts and items reached are compared with their times too.
 
 Not compared, because the fakes do not imitate it: texts about sensors, of the simulator and of the
 log file; telemetry and parameters; how often MISSION_CURRENT is told (but for request_messages):
 ArduPilot holds its streams back during an upload, and PX4 tells of an item once more, now and
 then, when it was reached.
+
+px4/guided_flight_2 is compared up to the failsafe that it calls in OFFBOARD with one target a second: the real one then
+announced its return, and flew on to the targets, which the fake does without announcing it.
 """
 
 from __future__ import annotations
@@ -27,6 +33,7 @@ from typing import NamedTuple
 
 import pytest
 
+from plans import waypoint
 from recorded import (
     OPTIONS,
     fields,
@@ -41,20 +48,28 @@ from recorded import (
 from simulation import recordings
 from simulation.fake_autopilot import ArduPilot, Px4, mavlink
 
-NAMES = recordings.starts()
-EACH = pytest.mark.parametrize("name", NAMES)
+NAMES, GUIDED = recordings.starts(), recordings.guided()
+EACH = pytest.mark.parametrize("name", [*NAMES, *GUIDED])
+WITHOUT_A_PLAN = pytest.mark.parametrize("name", GUIDED)
 ON_ARDUPILOT = pytest.mark.parametrize("name", [name for name in NAMES if not name.startswith("px4")])
 
 ALIKE_WITHIN_S = 0.4  # what is told from time to time, by both
 LASTING_S = 1.2  # told each second, this is told once at the least
 TOLD_WITHIN_S = 0.2  # now and then a recorded answer is late by so much
+LANDED_WITHIN_S = 2.3  # PX4 tells every 2.24 s whether it is landed, and how it leaves the ground is its own affair
 SPOOLED_UP_WITHIN_S = 0.7  # it takes PX4 1.3 to 1.9 s
 ANSWERED_WITHIN_S = 0.060
 MISSION_CURRENT = 42
+UNTIL_S = {"px4/guided_flight_2": 43.05}
 
 
 def recorded(name: str, direction: str, *kinds: str) -> list:
-    return [one for one in recordings.heard(name) if one.direction == direction and one.message.get_type() in kinds]
+    return [one for one in recordings.heard(name) if one.direction == direction and one.message.get_type() in kinds
+            and one.time < until(name)]
+
+
+def until(name: str) -> float:
+    return UNTIL_S.get(name, math.inf)
 
 
 # -- the state in which the recorded autopilot was ------------------------------------------------
@@ -88,7 +103,26 @@ BEFORE = {
 }
 
 
+def fake_without_a_plan(name: str):
+    home = (-353632621, 1491652371, 584.08)
+    if name.startswith("px4/"):
+        mode = (4, 4) if name == "px4/guided_flight" else (4, 3)
+        system = recorded(name, "<", "HEARTBEAT")[0].message.get_srcSystem()
+        fake = Px4(uptime_s=100.0, system_id=system, home=home, mode=mode, hears_station=True)
+        # The mission that it had flown was still its mode; what it goes back to on the ground is HOLD.
+        fake._mode_when_disarmed = (4, 3)
+        if mode == (4, 4):
+            fake.load([waypoint(*home[:2], 6.0)])
+    else:
+        vehicle = {"arducopter": "copter", "ardurover": "rover"}[name.split("/")[0]]
+        fake = ArduPilot(vehicle=vehicle, uptime_s=120.0, home=home)
+        fake.mode = "HOLD" if vehicle == "rover" else "STABILIZE"
+    return fake
+
+
 def fake_for(name: str):
+    if name in GUIDED:
+        return fake_without_a_plan(name)
     before = BEFORE.get(name, Before())
     beat = recorded(name, "<", "HEARTBEAT")[0]
     folder = name.split("/")[0]
@@ -118,6 +152,7 @@ def fake_for(name: str):
 # -- the pace of the recording --------------------------------------------------------------------
 
 ON_THE_GROUND = ("SIM Hit ground", "Landing detected")
+AUTO_LOITER, AUTO_TAKEOFF = 4 << 16 | 3 << 24, 4 << 16 | 2 << 24
 
 
 class Told(NamedTuple):
@@ -126,6 +161,8 @@ class Told(NamedTuple):
     time: float
     current: tuple
     heartbeat: tuple
+    landed: int | None
+    target: object
 
 
 class Played(NamedTuple):
@@ -152,7 +189,10 @@ def at_no_pace_of_its_own(fake) -> None:
 
 def moved(name: str) -> Played:
     fake = fake_for(name)
-    at_no_pace_of_its_own(fake)
+    if name in GUIDED:
+        fake._follow_flight = lambda: fake.never("leg")
+    else:
+        at_no_pace_of_its_own(fake)
     heard = recordings.heard(name)
     told: list[Told] = []
     flies = "request_messages" not in name
@@ -161,14 +201,20 @@ def moved(name: str) -> Played:
         """What the real one said has come: arrive as it did, and note what the fake says by then."""
         now = max(now, one.time)
         message, kind = one.message, one.message.get_type()
-        if flies and kind == "MISSION_ITEM_REACHED" and not is_repetition(one, heard):
+        has_climbed = name in GUIDED and kind == "HEARTBEAT" and message.custom_mode == AUTO_LOITER \
+            and fake.heartbeat().custom_mode == AUTO_TAKEOFF
+        is_reached = flies and kind == "MISSION_ITEM_REACHED" and not is_repetition(one, heard)
+        if has_climbed or is_reached:
             fake.arrive(now)
         if kind == "STATUSTEXT" and message.text.startswith(ON_THE_GROUND):
-            if fake.flight.index is not None and not fake.flight.sinking:
+            if name not in GUIDED and fake.flight.index is not None and not fake.flight.sinking:
                 fake.arrive(now)
             fake.arrive(now)
         fake._advance(now)
-        told.append(Told(now, what_is_told(fake._mission_current()), what_is_told(fake.heartbeat())))
+        state = fake.message_of(mavlink.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, now)
+        told.append(Told(now, what_is_told(fake._mission_current()), what_is_told(fake.heartbeat()),
+                         None if state is None else state.landed_state,
+                         fake.message_of(mavlink.MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT, now)))
         return now
 
     _, sent = play(name, fake, follow)
@@ -198,14 +244,21 @@ def played():
 # -- what it answers ------------------------------------------------------------------------------
 
 
+def said_by_both(played: Played) -> tuple[list, list]:
+    """What is compared of the fake and of the real one."""
+    ends = until(played.name)
+    return tuple([(time, message) for time, message in said if time < ends]
+                 for said in (said_by(played.fake), said_in_recording(played.name)))
+
+
 def answers(said) -> list[tuple]:
     return [fields(message) for _, message in said if message.get_type() != "STATUSTEXT" and not is_clocked(message)]
 
 
 @EACH
 def test_it_answers_as_the_real_one(played, name):
-    fake = played(name).fake
-    assert answers(said_by(fake)) == answers(said_in_recording(name)), transcript(fake)
+    said, real = said_by_both(played(name))
+    assert answers(said) == answers(real), transcript(played(name).fake)
 
 
 def reached(said) -> list[tuple[float, int]]:
@@ -216,7 +269,7 @@ def reached(said) -> list[tuple[float, int]]:
 
 @EACH
 def test_it_calls_the_same_items_reached_and_not_later(played, name):
-    said, real = reached(said_by(played(name).fake)), reached(said_in_recording(name))
+    said, real = map(reached, said_by_both(played(name)))
     assert [seq for _, seq in said] == [seq for _, seq in real]
     for (said_time, seq), (real_time, _) in zip(said, real, strict=True):
         assert said_time - real_time < TOLD_WITHIN_S, seq
@@ -235,11 +288,10 @@ def texts(said) -> list[tuple[float, str, int]]:
 
 @EACH
 def test_it_says_in_words_what_the_real_one_said_and_when(played, name):
-    fake = played(name).fake
-    said, real = texts(said_by(fake)), texts(said_in_recording(name))
-    assert [one[1:] for one in said] == [one[1:] for one in real], transcript(fake)
+    said, real = map(texts, said_by_both(played(name)))
+    assert [one[1:] for one in said] == [one[1:] for one in real], transcript(played(name).fake)
     for (said_time, words, _), (real_time, _, _) in zip(said, real, strict=True):
-        within_s = SPOOLED_UP_WITHIN_S if words.startswith("Takeoff detected") else TOLD_WITHIN_S
+        within_s = SPOOLED_UP_WITHIN_S if words.startswith("Takeoff") else TOLD_WITHIN_S
         assert abs(said_time - real_time) < within_s, f"{words}: {said_time:.3f} s, not {real_time:.3f} s"
 
 
@@ -295,10 +347,14 @@ def is_in_order(part: list, whole: list) -> bool:
     return all(one in rest for one in part)
 
 
-@EACH
-@pytest.mark.parametrize("kind", ["MISSION_CURRENT", "HEARTBEAT"])
+# (Which plan was aboard in px4/guided_flight is not known.)
+@pytest.mark.parametrize(("kind", "name"), [
+    *(("HEARTBEAT", name) for name in [*NAMES, *GUIDED]),
+    *(("MISSION_CURRENT", name) for name in [*NAMES, *GUIDED] if name != "px4/guided_flight"),
+])  # fmt: skip
 def test_it_would_tell_what_the_real_one_told(played, name, kind):
-    told = [(one.time, one.current if kind == "MISSION_CURRENT" else one.heartbeat) for one in played(name).told]
+    told = [(one.time, one.current if kind == "MISSION_CURRENT" else one.heartbeat) for one in played(name).told
+            if one.time < until(name)]
     real = [(one.time, what_is_told(one.message)) for one in recorded(name, "<", kind)]
     answered = answer_times(name)
     unasked = [(time, what) for time, what in real
@@ -334,3 +390,64 @@ def test_it_answers_by_the_same_current_item(played, name):
         before = [what_is_told(message) for time, message in real if time < asked]
         if told or theirs[-1:] != before[-1:]:
             assert told == theirs[-1:], f"asked at {asked:.3f} s"
+
+
+# -- without a plan -------------------------------------------------------------------------------
+
+
+@WITHOUT_A_PLAN
+def test_it_is_landed_and_in_the_air_when_the_real_one_was(played, name):
+    for one in recorded(name, "<", "EXTENDED_SYS_STATE"):
+        near = {told.landed for told in played(name).told if abs(told.time - one.time) <= LANDED_WITHIN_S}
+        assert one.message.landed_state in near, f"{one.message} at {one.time:.3f} s; the fake: {near}"
+
+
+# Up to when the place is where it then was: a takeoff, and at the end a takeoff in the air and a hold.
+FLIES_TO_PLACES = {"px4/guided_flight": (12.0, 1e9), "px4/guided_flight_2": (14.6, 35.8)}
+
+
+@WITHOUT_A_PLAN
+def test_it_flies_to_the_places_to_which_the_real_one_flew(played, name):
+    """On PX4 to the same height above the sea, whatever the frame. The recorded ArduCopter has not told of it."""
+    begins, ends = FLIES_TO_PLACES.get(name, (0.0, 1e9))
+    for one in recorded(name, "<", "POSITION_TARGET_GLOBAL_INT"):
+        if not begins < one.time < ends:
+            continue
+        place = (one.message.lat_int, one.message.lon_int)
+        near = [told.target for told in played(name).told
+                if told.target is not None and abs(told.time - one.time) <= LANDED_WITHIN_S]
+        same = [target for target in near if max(abs(target.lat_int - place[0]), abs(target.lon_int - place[1])) <= 1]
+        assert same, f"{place} at {one.time:.3f} s; the fake: {near}"
+        if name.startswith("px4/"):
+            assert any(target.alt == pytest.approx(one.message.alt, abs=0.01) for target in same), same
+
+
+def test_px4_takes_8_m_above_home_for_8_m_above_the_sea_and_lands():
+    """What the recording shows, at the fake's own pace."""
+    home = (-353632621, 1491652371, 584.08)
+    fake = Px4(uptime_s=100.0, home=home)
+    client = mavlink.MAVLink(None, 255, 190)
+
+    def send(message, now: float) -> None:
+        fake.receive(message.pack(client), now)
+
+    nan = float("nan")
+    send(mavlink.MAVLink_command_long_message(1, 1, 400, 0, 1, 0, 0, 0, 0, 0, 0), 1.0)
+    send(mavlink.MAVLink_command_long_message(1, 1, 22, 0, -1, 0, 0, nan, nan, nan, home[2] + 10), 1.1)
+    fake.run(20.0)
+    assert fake.flight.where(20.0).height == pytest.approx(10.0, abs=0.1)
+    send(mavlink.MAVLink_command_int_message(1, 1, 6, 192, 0, 0, -1, 1, 0, nan, home[0] + 1500, home[1], 8.0), 20.0)
+    fake.run(60.0)
+    assert fake.flight.where(60.0).height == 0 and not fake.armed
+
+
+def test_real_px4_counts_its_height_from_the_home_that_it_names():
+    """So home's altitude is what GLOBAL_POSITION_INT says above the sea, less what it says above home."""
+    places = [(one.time, one.message.alt - one.message.relative_alt)
+              for one in recorded("px4/guided_flight", "<", "GLOBAL_POSITION_INT")]  # fmt: skip
+    compared = 0
+    for one in recorded("px4/guided_flight", "<", "HOME_POSITION"):
+        near = [altitude for at, altitude in places if abs(at - one.time) < 0.02]
+        assert all(abs(altitude - one.message.altitude) <= 1 for altitude in near), one
+        compared += len(near)
+    assert compared == 8
