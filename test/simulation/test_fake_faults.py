@@ -4,19 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fake_talk import (
-    ACCEPTED,
-    BOTH,
-    DENIED,
-    ERROR,
-    INVALID_SEQUENCE,
-    NO_SPACE,
-    UNSUPPORTED,
-    client_of,
-    missions,
-    waypoints,
-)
-from simulation.fake_autopilot import FENCE, RALLY, ArduPilot, Px4, item, mavlink
+from fake_talk import ACCEPTED, BOTH, DENIED, ERROR, INVALID_SEQUENCE, NO_SPACE, client_of, missions, waypoints
+from simulation.fake_autopilot import FENCE, RALLY, ArduPilot, Px4, item
 
 
 @BOTH
@@ -123,30 +112,6 @@ def test_items_can_be_asked_for_out_of_order(autopilot):
     asked = [seq for kind, seq in missions(client.say(client.item(waypoints(1)[0], 0), 4.0))
              if kind != "ACK"]
     assert asked[:3] == [2, 0, 1]
-
-
-@BOTH
-def test_every_item_can_be_acknowledged(autopilot):
-    fake = autopilot()
-    fake.faults.ack_every_item()
-    client = client_of(fake)
-    client.say(client.count(2))
-    kinds = [kind for kind, _ in missions(client.say(client.item(waypoints(1)[0], 0)))]
-    assert sorted(kinds)[0] == "ACK" and len(kinds) == 2
-
-
-@BOTH
-def test_it_can_be_told_to_take_only_float_items(autopilot):
-    fake = autopilot()
-    fake.faults.take_only_float_items()
-    client = client_of(fake)
-    client.say(client.count(1))
-    assert missions(client.say(client.item(waypoints(1)[0], 0))) == [("ACK", UNSUPPORTED)]
-    degrees = item(16, x=47.0, y=8.5, z=20.0)
-    assert ("ACK", ACCEPTED) in missions(client.say(client.float_item(degrees, 0)))
-    client.say(client.command(mavlink.MAV_CMD_REQUEST_MESSAGE, 148))
-    capabilities = fake.messages("<", "AUTOPILOT_VERSION")[0].capabilities
-    assert not capabilities & mavlink.MAV_PROTOCOL_CAPABILITY_MISSION_INT
 
 
 def circle(radius: float):

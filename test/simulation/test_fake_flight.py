@@ -75,55 +75,26 @@ def test_jumps_are_flown_as_often_as_they_say():
     assert reached == [0, 1, 2, 1, 2, 1, 2, 4]
 
 
-def test_a_new_plan_in_flight():
-    """ArduCopter keeps its item and begins the leg again, PX4 begins at the item flagged as current."""
-    for autopilot, index in ((ArduPilot, 2), (Px4, 2)):
-        client = flying(autopilot)
-        fake = client.fake
-        while not fake.messages("<", "MISSION_ITEM_REACHED"):
-            client.wait(0.5)
-        client.wait(1.0)
-        plan = square_for(autopilot)
-        plan[2] = plan[2]._replace(current=1, z=9.0)
-        leg_ends = fake.flight.ends_at
-        assert client.upload(plan) == ACCEPTED
-        assert fake.flight.index == index
-        assert fake.flight.ends_at != leg_ends
-        again = [text for text in fake.messages("<", "STATUSTEXT") if "restarted command" in text.text]
-        assert len(again) == (len(plan) if autopilot is ArduPilot else 0)
-
-
-def test_px4_keeps_its_item_in_flight_if_the_new_plan_flags_none():
-    client = flying(Px4)
+@pytest.mark.parametrize(("autopilot", "change", "index", "begins_again"), [
+    (ArduPilot, {"current": 1, "z": 9.0}, 2, True),  # it keeps its item, and begins the leg again
+    (Px4, {"current": 1, "z": 9.0}, 2, True),  # it begins at the item that is flagged as current
+    (Px4, {"z": 9.0}, 1, True),
+    (Px4, {}, 1, False),  # the same plan again changes nothing
+])  # fmt: skip
+def test_new_plan_in_flight(autopilot, change, index, begins_again):
+    client = flying(autopilot)
     fake = client.fake
     while not fake.messages("<", "MISSION_ITEM_REACHED"):
         client.wait(0.5)
-    plan = square_for(Px4)
-    plan[2] = plan[2]._replace(z=9.0)
-    assert client.upload(plan) == ACCEPTED
-    assert fake.flight.index == 1
-
-
-def test_a_rover_begins_its_leg_again_with_a_new_plan():
-    fake = ArduPilot(vehicle="rover", uptime_s=60)
-    client = client_of(fake)
-    plan = [item(16, frame=0), *(one._replace(z=0.0) for one in square_for(ArduPilot)[2:4])]
-    client.upload(plan)
-    client.say(client.command(ARM, 1))
-    client.say(mavlink.MAVLink_set_mode_message(1, 1, 10))
     client.wait(1.0)
+    plan = square_for(autopilot)
+    plan[2] = plan[2]._replace(**change)
     leg_ends = fake.flight.ends_at
-    client.upload(plan)
-    assert fake.flight.index == 1 and fake.flight.ends_at > leg_ends - 0.5
-    assert fake.flight.ends_at != leg_ends
-
-
-def test_the_same_plan_again_changes_nothing_on_px4():
-    client = flying(Px4)
-    client.wait(13.0)
-    leg = (client.fake.flight.index, client.fake.flight.ends_at)
-    assert client.upload(square_for(Px4)) == ACCEPTED
-    assert (client.fake.flight.index, client.fake.flight.ends_at) == leg
+    assert client.upload(plan) == ACCEPTED
+    assert fake.flight.index == index
+    assert (fake.flight.ends_at != leg_ends) == begins_again
+    again = [text for text in fake.messages("<", "STATUSTEXT") if "restarted command" in text.text]
+    assert len(again) == (len(plan) if autopilot is ArduPilot else 0)
 
 
 def test_ardupilot_refuses_to_clear_the_plan_it_is_flying():

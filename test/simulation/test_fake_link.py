@@ -7,7 +7,19 @@ import random
 
 import pytest
 
-from fake_talk import ACCEPTED, ARM, BOTH, NAN, SET_CURRENT, SET_MODE, START, client_of, missions, waypoints
+from fake_talk import (
+    ACCEPTED,
+    ARM,
+    BOTH,
+    NAN,
+    SET_CURRENT,
+    SET_MODE,
+    START,
+    client_of,
+    command_results,
+    missions,
+    waypoints,
+)
 from simulation import recordings
 from simulation.fake_autopilot import ALL, FENCE, MISSION, RALLY, ArduPilot, Px4, item, mavlink
 from simulation.fake_autopilot.ardupilot import BOOT_TEXT
@@ -67,15 +79,6 @@ def test_px4_sends_version_2_and_understands_both(client_version):
         Px4(mavlink_version=1)
 
 
-@BOTH
-def test_a_frame_may_arrive_byte_by_byte(autopilot):
-    fake = autopilot()
-    client = client_of(fake)
-    for byte in client.count(2).pack(mavlink.MAVLink(None, 255, 190)):
-        fake.receive(bytes((byte,)), 1.0)
-    assert missions(client.wait(0.05))[0][1] == 0
-
-
 def test_the_splitter_tells_frames_from_damage_and_from_noise():
     frame = bytes(mavlink.MAVLink_mission_request_list_message(1, 1).pack(
         mavlink.MAVLink(None, 255, 190)))
@@ -88,17 +91,6 @@ def test_the_splitter_tells_frames_from_damage_and_from_noise():
     assert b"".join(piece for piece, _ in pieces) == unknown_flag
     assert not [piece for piece, intact in pieces if intact]
     assert splitter.feed(frame[:5]) == [] and splitter.feed(frame[5:]) == [(frame, True)]
-
-
-@BOTH
-def test_a_damaged_frame_is_not_heard(autopilot):
-    fake = autopilot()
-    client = client_of(fake)
-    frame = bytearray(client.count(2).pack(mavlink.MAVLink(None, 255, 190)))
-    for position in range(1, len(frame)):
-        damaged = bytes(byte ^ 0x40 * (n == position) for n, byte in enumerate(frame))
-        fake.receive(damaged + b"\0" * 300, client.now)  # zeros fill a longer length
-        assert missions(client.wait(0.02)) == [], position
 
 
 @BOTH
@@ -184,14 +176,6 @@ def test_a_client_that_uses_the_autopilots_own_ids(autopilot, served):
 
 
 @BOTH
-def test_other_ids_of_its_own(autopilot):
-    fake = autopilot(system_id=9, component_id=1)
-    client = client_of(fake, target=(9, 1))
-    assert client.upload(waypoints(2)) == ACCEPTED
-    assert {message.get_srcSystem() for message in fake.messages("<")} == {9}
-
-
-@BOTH
 def test_bad_options_are_refused_in_words(autopilot):
     with pytest.raises(ValueError, match="copter, plane, rover"):
         autopilot(vehicle="submarine")
@@ -199,6 +183,13 @@ def test_bad_options_are_refused_in_words(autopilot):
         autopilot(mavlink_version=3)
     with pytest.raises(ValueError, match="item 1 would be refused"):
         autopilot().load([*waypoints(1), item(31000)])
+
+
+@BOTH
+def test_an_unknown_command_is_unsupported(autopilot):
+    client = client_of(autopilot())
+    assert command_results(client.say(client.command(31010))) \
+        == [(31010, mavlink.MAV_RESULT_UNSUPPORTED)]
 
 
 HEARD = ("mission_count", "mission_item_int", "mission_item", "mission_ack",

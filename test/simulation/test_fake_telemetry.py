@@ -60,16 +60,6 @@ def test_restart_brings_back_what_was_stopped(kind, recording):
     assert heard(autopilot, 3.0, 8.0)[ATTITUDE] > 10
 
 
-def test_ardupilot_goes_back_to_the_rate_of_its_stream():
-    autopilot = ArduPilot(uptime_s=60.0)
-    say(autopilot, mavlink.MAVLink_request_data_stream_message(1, 1, 0, 5, 1), 0.5)
-    assert heard(autopilot, 1.0, 5.0)[MISSION_CURRENT] == pytest.approx(20, abs=1)
-    set_interval(autopilot, MISSION_CURRENT, -1, 5.0)
-    assert heard(autopilot, 5.1, 9.0)[MISSION_CURRENT] == 0
-    set_interval(autopilot, MISSION_CURRENT, 0, 9.0)
-    assert heard(autopilot, 9.1, 13.1)[MISSION_CURRENT] == pytest.approx(20, abs=1)
-
-
 def test_each_autopilot_takes_the_messages_of_its_own_dialect():
     assert set_interval(made(*ARDUPILOT), AHRS, -1, 1.0) == mavlink.MAV_RESULT_ACCEPTED
     assert set_interval(made(*PX4), AHRS, -1, 1.0) == mavlink.MAV_RESULT_DENIED

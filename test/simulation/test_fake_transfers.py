@@ -1,23 +1,11 @@
-"""Transfers into which another comes: COUNT again, cancelling, another client, parts, clearing."""
+"""Transfers into which another comes, parts, and downloads, where no recording shows it."""
 
 from __future__ import annotations
 
 import pytest
 
-from fake_talk import (
-    ACCEPTED,
-    CANCELLED,
-    DENIED,
-    ERROR,
-    INVALID_SEQUENCE,
-    UNSUPPORTED,
-    client_of,
-    missions,
-    waypoints,
-    words,
-)
+from fake_talk import ACCEPTED, CANCELLED, ERROR, UNSUPPORTED, client_of, missions, waypoints, words
 from simulation.fake_autopilot import ALL, FENCE, MISSION, RALLY, ArduPilot, Px4, item, mavlink
-from simulation.fake_autopilot.px4_rewriting import checksum
 
 
 def test_cancelling_frees_px4_and_not_ardupilot():
@@ -55,22 +43,6 @@ def test_px4_refuses_a_fence_during_a_mission_with_the_missions_type(taken):
                                                                      MISSION)
 
 
-def test_request_list_during_our_own_upload():
-    client = client_of(ArduPilot())
-    client.say(client.count(3))
-    assert missions(client.say(client.request_list())) == [("ACK", DENIED)]
-    assert missions(client.say(client.item(waypoints(1)[0], 0))) == [("REQUEST", 1)]
-
-    fake = Px4()
-    fake.load(waypoints(5))
-    client = client_of(fake)
-    client.say(client.count(3))
-    answers = client.say(client.request_list())
-    assert missions(answers) == []
-    assert words(answers) == ["Mission download request ignored, already active"]
-    assert missions(client.say(client.item(waypoints(1)[0], 0))) == [("REQUEST_INT", 1)]
-
-
 def test_in_one_corner_request_list_drops_px4s_upload():
     fake = Px4()
     fake.load(waypoints(1))
@@ -95,23 +67,6 @@ def test_px4_stays_busy_until_a_download_is_acknowledged_or_times_out():
     assert words(answers) == ["WPM: IGN MISSION_COUNT: Busy"]
     client.wait(6.0)
     assert missions(client.say(client.count(1))) == [("REQUEST_INT", 0)]
-
-
-def test_clear_during_our_own_upload():
-    fake = ArduPilot()
-    fake.load(waypoints(4))
-    client = client_of(fake)
-    client.say(client.count(3))
-    assert missions(client.say(client.clear_all())) == [("ACK", ACCEPTED)]
-    assert missions(client.wait(10.0)) == [] and fake.plan() == []
-
-    fake = Px4()
-    fake.load(waypoints(4))
-    client = client_of(fake)
-    client.say(client.count(3))
-    answers = client.say(client.clear_all())
-    assert missions(answers) == [] and words(answers) == ["WPM: IGN CLEAR CMD: Busy"]
-    assert len(fake.plan()) == 4
 
 
 def test_clear_all_types():
@@ -169,42 +124,32 @@ def test_ardupilot_takes_current_2_and_3_for_orders():
     assert fake.plan() == []
 
 
-def test_px4_proves_what_it_took_by_its_checksum():
+def test_ardupilot_serves_requests_in_any_order_to_anyone():
+    fake = ArduPilot()
+    fake.load(waypoints(4))
+    client = client_of(fake)
+    for seq in (3, 1, 1, 0):
+        assert missions(client.say(client.request_int(seq))) == [("ITEM", seq)]
+    assert missions(client.say(client.request_int(4))) == [("ACK", ERROR)]
+
+
+def test_px4_serves_the_next_item_or_the_last_one_again():
+    fake = Px4()
+    fake.load(waypoints(4))
+    client = client_of(fake)
+    assert missions(client.say(client.request_int(0))) == []  # no download: silence
+    client.say(client.request_list())
+    for seq in (0, 0, 1, 1, 2):
+        assert missions(client.say(client.request_int(seq))) == [("ITEM", seq)]
+    answers = client.say(client.request_int(0))
+    assert missions(answers) == [("ACK", ERROR)]
+    assert words(answers) == ["WPM: REJ. CMD: Req. WP was unexpected"]
+
+
+def test_px4_flags_its_current_item():
     fake = Px4()
     client = client_of(fake)
     plan = waypoints(3)
-    expected = 0
-    for one in plan:
-        expected = checksum(one, expected)
-    client.say(client.count(3))
-    client.say(client.item(plan[0], 0))
-    client.say(client.item(plan[1], 1))
-    assert client.ask(client.item(plan[2], 2)).opaque_id == expected != 0
-    assert client.ask(client.request_list()).opaque_id == expected
-    client.say(client.ack(ACCEPTED))
-    client.wait(1.1)
-    assert fake.messages("<", "MISSION_CURRENT")[-1].mission_id == expected
-    ardupilot = client_of(ArduPilot())
-    ardupilot.say(ardupilot.count(1))
-    assert ardupilot.ask(ardupilot.item(plan[0], 0)).opaque_id == 0
-
-
-def test_a_count_of_nine_bytes_is_taken_by_both():
-    for autopilot in (ArduPilot, Px4):
-        client = client_of(autopilot())
-        message = mavlink.MAVLink_mission_count_message(1, 1, 2, MISSION, 0xFFFFFFFF)
-        assert [seq for _, seq in missions(client.say(message))] == [0]
-
-
-def test_an_unread_line_fills_with_repeated_requests():
-    """Answering each of them draws INVALID_SEQUENCE on ArduPilot, nothing on PX4."""
-    for autopilot, noise in ((ArduPilot, [INVALID_SEQUENCE] * 2), (Px4, [])):
-        client = client_of(autopilot())
-        plan = waypoints(2)
-        client.say(client.count(2))
-        client.wait(2.5)
-        for _ in range(3):
-            client.send(client.item(plan[0], 0))
-        answers = missions(client.wait(0.05))
-        assert [result for kind, result in answers if kind == "ACK"] == noise
-        assert [seq for kind, seq in answers if kind != "ACK"] == [1]
+    plan[1] = plan[1]._replace(current=1)
+    client.upload(plan)
+    assert [one.current for one in client.download()] == [0, 1, 0]

@@ -1,4 +1,4 @@
-"""How the fake autopilots take an upload: its pace, what they ask again, what is left when it breaks off."""
+"""How the fake autopilots take an upload where no recording shows it: its pace, its length, and fences."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ import pytest
 from fake_talk import (
     ACCEPTED,
     BOTH,
+    ERROR,
+    NO_SPACE,
     UNSUPPORTED,
     UNSUPPORTED_FRAME,
     client_of,
     missions,
-    places,
     waypoints,
+    words,
 )
 from simulation.fake_autopilot import FENCE, ArduPilot, Px4, item
 
@@ -64,43 +66,6 @@ def test_a_radio_slows_ardupilot_down():
     assert missions(client.wait(0.2)) == [("REQUEST", 0)]
 
 
-@pytest.mark.parametrize("taken", range(4))
-def test_a_broken_off_upload_leaves_a_mixture_on_ardupilot(taken):
-    fake = ArduPilot()
-    old, new = waypoints(6), waypoints(4, first=100)
-    fake.load(old)
-    client = client_of(fake)
-    client.say(client.count(4))
-    for seq in range(taken):
-        client.say(client.item(new[seq], seq))
-    client.wait(10.0)
-    assert fake.received() == new[:taken] + old[taken:4]
-    assert places(fake.plan()[1:]) == places((new[:taken] + old[taken:4])[1:])
-
-
-@pytest.mark.parametrize("taken", range(4))
-def test_a_broken_off_upload_leaves_the_old_plan_on_px4(taken):
-    fake = Px4()
-    old, new = waypoints(6), waypoints(4, first=100)
-    fake.load(old)
-    client = client_of(fake)
-    client.say(client.count(4))
-    for seq in range(taken):
-        client.say(client.item(new[seq], seq))
-    client.wait(10.0)
-    assert fake.received() == old
-
-
-def test_a_refused_item_leaves_a_mixture_on_ardupilot_and_the_old_plan_on_px4():
-    old, new = waypoints(3), waypoints(3, first=50)
-    new[2] = new[2]._replace(frame=1)
-    for autopilot, aboard in ((ArduPilot, new[:2] + old[2:]), (Px4, old)):
-        fake = autopilot()
-        fake.load(old)
-        assert client_of(fake).upload(new) == UNSUPPORTED_FRAME
-        assert fake.received() == aboard
-
-
 def test_ardupilot_keeps_its_old_fence_when_a_new_one_breaks_off():
     fake = ArduPilot()
     square = [item(5001, frame=0, param1=4, x=n * 1000, y=n * n * 500) for n in range(4)]
@@ -110,3 +75,42 @@ def test_ardupilot_keeps_its_old_fence_when_a_new_one_breaks_off():
     client.say(client.item(item(5003, frame=0, param1=50), 0, FENCE))
     client.wait(10.0)
     assert fake.received(FENCE) == square
+
+
+def test_ardupilot_refuses_a_fence_whose_corners_do_not_add_up():
+    client = client_of(ArduPilot())
+    corner = item(5001, frame=0, param1=3, x=1, y=2)
+    assert client.upload([corner, corner], FENCE) == ERROR
+
+
+@pytest.mark.parametrize("target, result", [(0, ERROR), (1, ACCEPTED), (3, ACCEPTED),
+                                            (4, ERROR)])
+def test_ardupilot_refuses_a_jump_out_of_the_plan(target, result):
+    jump = item(177, frame=2, param1=target, param2=1)
+    plan = [*waypoints(2), jump, *waypoints(1)]
+    assert client_of(ArduPilot()).upload(plan) == result
+    assert client_of(Px4()).upload(plan) == ACCEPTED
+
+
+@BOTH
+def test_count_0_is_accepted_and_empties_the_plan(autopilot):
+    fake = autopilot()
+    fake.load(waypoints(3))
+    client = client_of(fake)
+    assert client.ask(client.count(0)).type == ACCEPTED
+    assert fake.plan() == []
+    assert client.ask(client.request_list()).count == 0
+
+
+def test_a_count_too_large_is_refused():
+    fake = ArduPilot()
+    client = client_of(fake)
+    answers = client.say(client.count(651))
+    assert missions(answers) == [("ACK", NO_SPACE)]
+    assert words(answers) == ["Only 650 items are supported"]
+    assert missions(client.say(client.count(650))) == [("REQUEST", 0)]
+    client = client_of(Px4(item_limit=10))
+    answers = client.say(client.count(11))
+    assert missions(answers) == [("ACK", NO_SPACE)] and words(answers) == []
+    roomy = client_of(ArduPilot(item_limit=700))
+    assert missions(roomy.say(roomy.count(700))) == [("REQUEST", 0)]

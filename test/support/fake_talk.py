@@ -34,10 +34,6 @@ def waypoints(count: int, first: int = 0) -> list[Item]:
             for n in range(count)]
 
 
-def places(items) -> list[tuple[int, int]]:
-    return [(one.x, one.y) for one in items]
-
-
 def words(answers) -> list[str]:
     return [answer.text.strip() for answer in answers if answer.get_type() == "STATUSTEXT"]
 
