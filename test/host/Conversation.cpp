@@ -1,5 +1,6 @@
 #include "Conversation.h"
 
+#include <doctest/doctest.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -180,7 +181,7 @@ void Conversation::happens(const std::string& whole) {
     message.mission_state = MISSION_STATE_ACTIVE;
     return tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message);
   }
-  say("what is \"" + whole + "\"?");
+  FAIL("there is no event \"", whole, "\"");
 }
 
 bool Conversation::isCall(const std::string& event) {

@@ -1,10 +1,17 @@
 #include "Script.h"
 
+#include <doctest/doctest.h>
 #include <stdio.h>
 
 #include <sstream>
 
-std::vector<Event> eventsOf(const std::string& script) {
+Events::Iterator& Events::Iterator::operator++() {
+  if (!event_->isKnown) FAIL("there is no event \"", event_->what, "\"");
+  ++event_;
+  return *this;
+}
+
+Events eventsOf(const std::string& script) {
   std::vector<Event> events;
   std::istringstream words(script);
   for (std::string word; std::getline(words >> std::ws, word, ',');) {
@@ -14,9 +21,9 @@ std::vector<Event> eventsOf(const std::string& script) {
     const int numbers = digits == std::string::npos ? 0 : sscanf(word.c_str() + digits, "%u to %u", &first, &last);
     if (numbers != 2) last = first;
     const std::string what = word.substr(0, numbers == 0 ? digits : digits - 1);
-    for (unsigned number = first; number <= last; ++number) events.push_back(Event{what, number});
+    for (unsigned number = first; number <= last; ++number) events.push_back(Event{what, number, false});
   }
-  return events;
+  return Events(events);
 }
 
 std::string times(unsigned count, const std::string& script) {
@@ -56,4 +63,42 @@ std::string Transcript::text() const {
     at = end;
   }
   return text;
+}
+
+std::string Player::plays(const std::string& script) {
+  said_ = Transcript();
+  spokeMs_ = elapsedMs_;
+  for (const Event& event : eventsOf(script)) {
+    if (event.is("line full") || event.is("line free")) isFull_ = event.is("line full");
+    leave();
+    if (event.is("wait")) pass(event.number);
+    if (event.is("silence")) pass(60000);
+    if (event.is("sleep")) sleep(event.number);
+    if (event.is("lossy")) pace.noteLoss();
+    happens(event);
+    leave();
+    if (status_ == mavmission::Status::Transferring) continue;
+    note(nameOf(status_));
+    break;
+  }
+  return said_.text();
+}
+
+std::string Player::ends(const std::string& script) {
+  plays(script);
+  return status_ == mavmission::Status::Transferring ? "goes on" : nameOf(status_);
+}
+
+void Player::pass(uint32_t ms) {
+  for (; ms != 0 && status_ == mavmission::Status::Transferring; --ms) {
+    ++elapsedMs_;
+    status_ = onTime();
+    leave();
+  }
+}
+
+uint32_t Player::sinceSpoken() {
+  const uint32_t ms = elapsedMs_ - spokeMs_;
+  spokeMs_ = elapsedMs_;
+  return ms;
 }

@@ -37,8 +37,7 @@ class Log {
   std::string plays(const std::string& script) {
     said_.clear();
     for (const Event& event : eventsOf(script)) {
-      const std::string begin = event.what.substr(0, event.what.find(' '));
-      happens(event, begin, event.what.substr(event.what.rfind(' ') + 1));
+      happens(event, event.first(), event.last());
     }
     return said_;
   }
@@ -56,7 +55,7 @@ class Log {
     if (event.is("wait")) nowMs_ = static_cast<uint16_t>(nowMs_ + event.number);
     if (event.is("slow")) answerMs_ = static_cast<uint16_t>(event.number);
     if (event.is("next frame")) ++sequence_;
-    if (end == "leaves" && !may(log_, begin, 0)) say("too early");
+    if (event.known(end == "leaves") && !may(log_, begin, 0)) say("too early");
     if (end == "leaves") log_.sent(kCommands.at(begin), answerMs_, nowMs_);
     if (event.is("ended")) log_.ended(static_cast<uint8_t>(event.number), nowMs_);
     if (event.is("progress")) log_.onProgress(nowMs_);
@@ -68,13 +67,13 @@ class Log {
     if (event.is("heartbeat asked")) log_.askedAside(nowMs_);
     if (event.is("heartbeat comes")) log_.onHeartbeat();
     if (event.is("open")) say(std::to_string(log_.asksOpen()));
-    if (end == "asks") log_.await(listener(begin), nowMs_);
-    if (end == "up" && begin != "gave") log_.giveUpOld(listener(begin), nowMs_);
+    if (event.known(end == "asks")) log_.await(listener(begin), nowMs_);
+    if (event.known(end == "up" && begin != "gave")) log_.giveUpOld(listener(begin), nowMs_);
     if (event.is("settled")) log_.settle();
-    if (begin == "is") say(log_.isOf(listener(end)) ? "is" : "is not");
-    if (begin == "answer") say(isAnswer(end) ? "taken" : "ignored");
-    if (begin == "may") say(may(log_, end, 0) ? "may" : "waits");
-    if (begin == "when") say(std::to_string(msUntil(end)));
+    if (event.known(begin == "is")) say(log_.isOf(listener(end)) ? "is" : "is not");
+    if (event.known(begin == "answer")) say(isAnswer(end) ? "taken" : "ignored");
+    if (event.known(begin == "may")) say(may(log_, end, 0) ? "may" : "waits");
+    if (event.known(begin == "when")) say(std::to_string(msUntil(end)));
   }
   bool isAnswer(const std::string& name) {
     const auto command = kCommands.find(name);

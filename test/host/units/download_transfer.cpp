@@ -16,98 +16,47 @@ namespace {
 typedef DownloadTransfer::State State;
 typedef DownloadTransfer::Send Send;
 
-// A transfer and its clock.
-class Download {
+class Download : public Player {
  public:
   DownloadTransfer transfer;
-  Pace pace;
 
-  explicit Download(uint16_t startMs = 0) : now_(startMs) {
+  explicit Download(uint16_t startMs = 0) : Player(startMs) {
     memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // in the client it may hold anything
-    pace = Pace();
-    transfer.begin(now_);
-  }
-
-  // What leaves and how it ends, when this happens:
-  // wait N: so many ms pass, one by one; sleep N: the clock goes on so far, and nobody looks at it
-  // count N: MISSION_COUNT; item N: it comes; "ignored" if it is no answer. result N: MISSION_ACK
-  // again: the item that came could not be used; lossy: a loss is noted; line full, line free: what is due stays
-  // ahead, one by one: several may be asked for at once, or not
-  // by timers: the autopilot does not answer each request by itself
-  std::string plays(const std::string& script) {
-    said_ = Transcript();
-    spokeMs_ = elapsedMs_;
-    for (const Event& event : eventsOf(script)) {
-      if (event.is("line full") || event.is("line free")) isFull_ = event.is("line full");
-      leave();
-      happens(event);
-      leave();
-      if (status_ == Status::Transferring) continue;
-      said_.note(nameOf(status_), sinceSpoken());
-      break;
-    }
-    return said_.text();
+    transfer.begin(now());
   }
 
  private:
-  Transcript said_;
-  uint16_t now_;
-  uint32_t elapsedMs_ = 0, spokeMs_ = 0;
-  Status status_ = Status::Transferring;
-  bool isFull_ = false, asksAhead_ = false, answersAny_ = true;
+  bool asksAhead_ = false, answersAny_ = true;
 
-  uint32_t sinceSpoken() {
-    const uint32_t ms = elapsedMs_ - spokeMs_;
-    spokeMs_ = elapsedMs_;
-    return ms;
-  }
-  void sleep(uint32_t ms) {
-    now_ = static_cast<uint16_t>(now_ + ms);
-    elapsedMs_ += ms;
-  }
-  void happens(const Event& event) {
+  // count N: MISSION_COUNT; item N: it comes; "ignored" if it is no answer. result N: MISSION_ACK
+  // again: the item that came could not be used; ahead, one by one: several may be asked for at once, or not
+  // by timers: the autopilot does not answer each request by itself
+  void happens(const Event& event) override {
     const uint16_t number = static_cast<uint16_t>(event.number);
-    if (event.is("wait") || event.is("silence")) {
-      const uint32_t limitMs = event.is("wait") ? event.number : 60000;
-      for (uint32_t ms = 0; ms < limitMs && status_ == Status::Transferring; ++ms) {
-        sleep(1);
-        status_ = transfer.onTime(now_, pace, answersAny_);
-        leave();
-      }
-    } else if (event.is("sleep")) {
-      sleep(event.number);
-    } else if (event.is("count")) {
-      if (!transfer.onCount(number, now_, pace)) said_.note("ignored");
-    } else if (event.is("item")) {
-      if (!comes(number)) said_.note("ignored");
-    } else if (event.is("result")) {
-      status_ = transfer.onAck(static_cast<uint8_t>(number));
-    } else if (event.is("again")) {
-      transfer.askAgain();
-    } else if (event.is("lossy")) {
-      pace.noteLoss();
-    } else if (event.is("ahead") || event.is("one by one")) {
-      asksAhead_ = event.is("ahead");
-    } else if (event.is("by timers")) {
-      answersAny_ = false;
-    }
+    if (event.is("count") && !transfer.onCount(number, now(), pace)) note("ignored");
+    if (event.is("item") && !comes(number)) note("ignored");
+    if (event.is("result")) status_ = transfer.onAck(static_cast<uint8_t>(number));
+    if (event.is("again")) transfer.askAgain();
+    if (event.is("ahead") || event.is("one by one")) asksAhead_ = event.is("ahead");
+    if (event.is("by timers")) answersAny_ = false;
   }
   bool comes(uint16_t item) {
-    if (!transfer.expectsItem(item, now_, pace)) return false;
+    if (!transfer.expectsItem(item, now(), pace)) return false;
     const uint8_t others = transfer.othersAsked();
-    transfer.onItem(now_, pace);
-    transfer.stayAhead(others, now_);
+    transfer.onItem(now(), pace);
+    transfer.stayAhead(others, now());
     return true;
   }
-  void leave() {
+  Status onTime() override { return transfer.onTime(now(), pace, answersAny_); }
+  void leave() override {
     while (!isFull_ && transfer.toSend(asksAhead_) != Send::Nothing) {
       const Send send = transfer.toSend(asksAhead_);
       const uint16_t item = transfer.itemToAsk();
-      const bool isLast = transfer.sent(now_);
+      const bool isLast = transfer.sent(now());
       if (send == Send::Request) {
-        said_.note("ask", sinceSpoken(), item);
+        note("ask", item);
       } else {
-        said_.note(send == Send::List ? "list" : "acknowledge", sinceSpoken());
+        note(send == Send::List ? "list" : "acknowledge");
       }
       CHECK(isLast == (send == Send::Accepted));
       if (isLast) return;

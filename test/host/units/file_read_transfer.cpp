@@ -14,80 +14,44 @@ using Send = FileReadTransfer::Send;
 
 namespace {
 
-// A reading and its clock, which begins shortly before it wraps.
-class Reading {
+class Reading : public Player {
  public:
   FileReadTransfer transfer;
-  Pace pace;
 
   explicit Reading(bool takesAnyOrder = true) {
     memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
-    pace = Pace();
     transfer.begin(takesAnyOrder);
   }
 
-  // What leaves, how it ends, and which items are not used, when this happens:
-  // opened, count N, item N, burst ends, closed: the answers; wait N: so many ms pass, one by one; silence: a minute
-  // lossy: a loss is noted; line full, line free: what is due stays
-  // taken: says how many items have been; differs: what came is not what was expected, and the file is closed
-  std::string plays(const std::string& script) {
-    said_ = Transcript();
-    spokeMs_ = elapsedMs_;
-    for (const Event& event : eventsOf(script)) {
-      if (event.is("line full") || event.is("line free")) isFull_ = event.is("line full");
-      leave();
-      happens(event, static_cast<uint16_t>(event.number));
-      leave();
-      if (status_ == Status::Transferring) continue;
-      said_.note(nameOf(status_), sinceSpoken());
-      break;
-    }
-    return said_.text();
-  }
-
  private:
-  Transcript said_;
-  Status status_ = Status::Transferring;
-  uint32_t elapsedMs_ = 0, spokeMs_ = 0;
-  bool isFull_ = false;
-
-  uint16_t now() const { return static_cast<uint16_t>(65000 + elapsedMs_); }
-  uint32_t sinceSpoken() {
-    const uint32_t ms = elapsedMs_ - spokeMs_;
-    spokeMs_ = elapsedMs_;
-    return ms;
-  }
-  void happens(const Event& event, uint16_t number) {
+  // opened, count N, item N, burst ends, closed: the answers; what is not used is noted
+  // taken: notes how many items have been; differs: what came is not what was expected, and the file is closed
+  void happens(const Event& event) override {
+    const uint16_t number = static_cast<uint16_t>(event.number);
     if (event.is("opened")) transfer.onOpened(now(), pace);
-    if (event.is("count") && !transfer.onCount(number, now(), pace)) said_.note("ignored count", sinceSpoken(), number);
+    if (event.is("count") && !transfer.onCount(number, now(), pace)) note("ignored count", number);
     if (event.is("item") && transfer.wants(number)) {
       transfer.onItem(number, now(), pace);
     } else if (event.is("item")) {
       transfer.onUnused(now());
-      said_.note("unused", sinceSpoken(), number);
+      note("unused", number);
     }
     if (event.is("burst ends")) transfer.onBurstEnd();
-    if (event.is("burst ends") && transfer.isTooSlow()) said_.note("too slow", sinceSpoken());
+    if (event.is("burst ends") && transfer.isTooSlow()) note("too slow");
     if (event.is("closed")) status_ = transfer.onClosed();
-    if (event.is("lossy")) pace.noteLoss();
-    if (event.is("taken")) said_.note("taken", sinceSpoken(), transfer.itemsTaken());
+    if (event.is("taken")) note("taken", transfer.itemsTaken());
     if (event.is("differs")) transfer.close(Status::Differs);
-    uint32_t ms = event.is("wait") ? event.number : event.is("silence") ? 60000 : 0;
-    for (; ms != 0 && status_ == Status::Transferring; --ms) {
-      ++elapsedMs_;
-      status_ = transfer.onTime(now(), pace);
-      leave();
-    }
   }
-  void leave() {
-    if (isFull_ || transfer.toSend() == Send::Nothing) return;
+  Status onTime() override { return transfer.onTime(now(), pace); }
+  void leave() override {
+    if (isFull_) return;
     switch (transfer.toSend()) {
-      case Send::Open: said_.note("open", sinceSpoken()); break;
-      case Send::Header: said_.note("header", sinceSpoken()); break;
-      case Send::Burst: said_.note("burst", sinceSpoken(), transfer.itemToAsk()); break;
-      case Send::Item: said_.note("item", sinceSpoken(), transfer.itemToAsk()); break;
-      case Send::Close: said_.note("close", sinceSpoken()); break;
-      case Send::Nothing: break;
+      case Send::Open: note("open"); break;
+      case Send::Header: note("header"); break;
+      case Send::Burst: note("burst", transfer.itemToAsk()); break;
+      case Send::Item: note("item", transfer.itemToAsk()); break;
+      case Send::Close: note("close"); break;
+      case Send::Nothing: return;
     }
     transfer.sent(now());
   }

@@ -14,8 +14,7 @@ using State = FileWriteTransfer::State;
 
 namespace {
 
-// A writing and its clock, which begins shortly before it wraps.
-class Writing {
+class Writing : public Player {
  public:
   FileWriteTransfer transfer;
 
@@ -24,50 +23,22 @@ class Writing {
     transfer.begin(items);
   }
 
-  // What leaves, each request behind its number, and how it ends, when this happens:
-  // answer N: to the request with this number; wait N: so many ms pass, one by one; silence: a minute
-  // lossy: a loss is noted; line slow: what leaves from here on is not all gone before "left"
-  // written: says how many items have been
-  std::string plays(const std::string& script) {
-    said_ = Transcript();
-    spokeMs_ = elapsedMs_;
-    leave();
-    for (const Event& event : eventsOf(script)) {
-      happens(event);
-      leave();
-    }
-    return said_.text();
-  }
-
  private:
-  Pace pace_ = Pace();
-  Transcript said_;
-  bool hasEnded_ = false, isSlow_ = false;
+  bool isSlow_ = false;
   uint16_t sequence_ = 0;
-  uint32_t elapsedMs_ = 0, spokeMs_ = 0;
 
-  uint16_t now() const { return static_cast<uint16_t>(65000 + elapsedMs_); }
-  void note(const std::string& what) {
-    said_.note(what, elapsedMs_ - spokeMs_);
-    spokeMs_ = elapsedMs_;
-  }
-  void happens(const Event& event) {
-    if (event.is("answer") && transfer.onAnswer(static_cast<uint16_t>(event.number), now(), pace_)) note("closed");
-    if (event.is("lossy")) pace_.noteLoss();
+  // Each request leaves behind its number.
+  // answer N: to the request with this number; line slow: what leaves from here on is not all gone before "left"
+  // written: notes how many items have been
+  void happens(const Event& event) override {
+    if (event.is("answer") && transfer.onAnswer(static_cast<uint16_t>(event.number), now(), pace)) note("closed");
     if (event.is("line slow")) isSlow_ = true;
     if (event.is("left")) transfer.onLeft(now());
     if (event.is("written")) note("written " + std::to_string(transfer.itemsWritten()));
-    uint32_t ms = event.is("wait") ? event.number : event.is("silence") ? 60000 : 0;
-    for (; ms != 0 && !hasEnded_; --ms) {
-      ++elapsedMs_;
-      const Status status = transfer.onTime(now(), pace_);
-      hasEnded_ = status != Status::Transferring;
-      if (hasEnded_) note(nameOf(status));
-      leave();
-    }
   }
-  void leave() {
-    while (!hasEnded_ && !transfer.isLeaving() && transfer.isDue()) {
+  Status onTime() override { return transfer.onTime(now(), pace); }
+  void leave() override {
+    while (status_ == Status::Transferring && !transfer.isLeaving() && transfer.isDue()) {
       const State state = transfer.state();
       const FileWriteTransfer::Request request = transfer.begun(sequence_);
       CHECK(transfer.isLeaving());

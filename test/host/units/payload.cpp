@@ -49,14 +49,14 @@ struct Carrier : ClientOnLine {
     spokeMs_ = nowMs();
     for (const Event& event : eventsOf(script)) {
       const size_t blank = event.what.find(' ');
-      const std::string verb = event.what.substr(0, blank);
       const std::string object = blank == std::string::npos ? "" : event.what.substr(blank + 1);
-      if (verb == "winch") order(kWinch, static_cast<float>(event.number), object == "again");
-      if (verb == "gripper") order(kGripper, static_cast<float>(event.number), object == "again");
-      if (verb == "gives") toGive_ = answerOf(object);
-      if (verb == "progress") payload.progress(static_cast<uint8_t>(event.number));
-      if (verb == "finish") payload.finish(answerOf(object));
-      pass(verb == "wait" ? event.number : verb == "finish" ? 2 : 0);
+      const auto is = [&](const char* verb) { return event.known(event.first() == verb); };
+      if (is("winch")) order(kWinch, static_cast<float>(event.number), object == "again");
+      if (is("gripper")) order(kGripper, static_cast<float>(event.number), object == "again");
+      if (is("gives")) toGive_ = answerOf(object);
+      if (is("progress")) payload.progress(static_cast<uint8_t>(event.number));
+      if (is("finish")) payload.finish(answerOf(object));
+      pass(is("wait") ? event.number : is("finish") ? 2 : 0);
     }
     return said_.text();
   }

@@ -175,7 +175,7 @@ struct Flown {
   }
   Status heartbeat(const Event& event) {
     const auto hasWord = [&](const char* word) { return (" " + event.what + " ").find(word) != std::string::npos; };
-    REQUIRE(hasWord(" shows "));
+    event.known(hasWord(" shows "));
     if (hasWord(" armed ")) aircraft.isArmed = true;
     if (hasWord(" disarmed ")) aircraft.isArmed = false;
     if (hasWord(" wanted ")) aircraft.mode = start.modeToSet();

@@ -85,7 +85,7 @@ struct Desk : ClientOnLine {
   void happens(const Event& event) {
     if (event.is("wait")) {
       pass(event.number);
-    } else if (event.what.compare(0, 8, "answers ") == 0) {
+    } else if (event.known(event.first() == "answers")) {
       answers_ = event.what.substr(8);
       if (event.number != 0) delayMs_ = event.number;
     } else if (event.is("to another")) {
@@ -102,6 +102,7 @@ struct Desk : ClientOnLine {
     } else if (event.is("own")) {
       client.setMessageInterval(99, 250000);
     } else {
+      event.known(true);  // or it is none
       answer(resultOf(event.what));
     }
   }

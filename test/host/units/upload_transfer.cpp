@@ -17,109 +17,53 @@ constexpr Firmware kArduPilot = Firmware::ArduPilot, kPx4 = Firmware::Px4, kOthe
 constexpr Firmware kEach[] = {kArduPilot, kPx4, kOther};
 const uint8_t kNothing = 0, kError = 1, kInvalidSequence = 13;
 
-// A transfer and its clock, which begins shortly before it wraps.
-class Upload {
+class Upload : public Player {
  public:
   UploadTransfer transfer;
-  Pace pace;
-  uint16_t now;
-  Status status = Status::Transferring;
 
-  explicit Upload(uint16_t count, Firmware firmware = kOther, uint8_t leftovers = 0, uint16_t start = 65000)
-      : now(start) {
+  explicit Upload(uint16_t count, Firmware firmware = kOther, uint8_t leftovers = 0, uint16_t startMs = 65000)
+      : Player(startMs) {
     memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
-    pace = Pace();
     transfer.begin(count, firmware, leftovers);
-  }
-
-  // What leaves and how it ends, when this happens:
-  // wait N: so many ms pass, one by one; sleep N: loop() comes back so much later
-  // asks N: a request for this item; accepted, error, denied, cancelled, out of sequence, result N: MISSION_ACK
-  // lossy: a loss is noted; line full, line free: what is due stays; takes one: but for one message
-  // progress: notes how many items were asked for
-  std::string plays(const std::string& script) {
-    said_ = Transcript();
-    spokeMs_ = elapsedMs_;
-    for (const Event& event : eventsOf(script)) {
-      if (event.is("line full") || event.is("line free")) isFull_ = event.is("line full");
-      leave();
-      happens(event);
-      leave();
-      if (status == Status::Transferring) continue;
-      said_.note(nameOf(status), sinceSpoken());
-      break;
-    }
-    return said_.text();
-  }
-
-  // How it ends, or "goes on".
-  std::string ends(const std::string& script) {
-    plays(script);
-    return status == Status::Transferring ? "goes on" : nameOf(status);
   }
 
   Send sendOne() {
     const Send send = transfer.toSend();
-    if (send != Send::Nothing) transfer.sent(now);
+    if (send != Send::Nothing) transfer.sent(now());
     return send;
   }
 
  private:
-  Transcript said_;
-  uint32_t elapsedMs_ = 0, spokeMs_ = 0;
-  bool isFull_ = false;
-
-  uint32_t sinceSpoken() {
-    const uint32_t ms = elapsedMs_ - spokeMs_;
-    spokeMs_ = elapsedMs_;
-    return ms;
+  // asks N: a request for this item; accepted, error, denied, cancelled, out of sequence, result N: MISSION_ACK
+  // takes one: the line takes one message; progress: notes how many items were asked for
+  void happens(const Event& event) override {
+    if (event.is("sleep")) status_ = onTime();  // loop() comes back so much later
+    if (event.is("asks")) status_ = transfer.onRequest(static_cast<uint16_t>(event.number), now(), pace);
+    if (event.is("accepted")) answer(0);
+    if (event.is("error")) answer(kError);
+    if (event.is("out of sequence")) answer(kInvalidSequence);
+    if (event.is("denied")) answer(14);
+    if (event.is("cancelled")) answer(15);
+    if (event.is("result")) answer(static_cast<uint8_t>(event.number));
+    if (event.is("takes one")) leaveOne();
+    if (event.is("progress")) note("asked for", transfer.itemsAskedFor());
   }
-  void pass(uint32_t ms) {
-    now = static_cast<uint16_t>(now + ms);
-    elapsedMs_ += ms;
-    status = transfer.onTime(now, pace);
-  }
-  void happens(const Event& event) {
-    if (event.is("wait") || event.is("silence")) {
-      const uint32_t ms = event.is("wait") ? event.number : 60000;
-      for (uint32_t passed = 0; passed < ms && status == Status::Transferring; ++passed) pass(1), leave();
-    } else if (event.is("sleep")) {
-      pass(event.number);
-    } else if (event.is("asks")) {
-      status = transfer.onRequest(static_cast<uint16_t>(event.number), now, pace);
-    } else if (event.is("lossy")) {
-      pace.noteLoss();
-    } else if (event.is("takes one")) {
-      leaveOne();
-    } else if (event.is("progress")) {
-      said_.note("asked for", sinceSpoken(), transfer.itemsAskedFor());
-    } else if (!event.is("line full") && !event.is("line free")) {
-      status = transfer.onAck(resultOf(event), now, pace);
-    }
-  }
-  static uint8_t resultOf(const Event& event) {
-    if (event.is("accepted")) return 0;
-    if (event.is("error")) return kError;
-    if (event.is("out of sequence")) return kInvalidSequence;
-    if (event.is("denied")) return 14;
-    if (event.is("cancelled")) return 15;
-    REQUIRE(event.is("result"));
-    return static_cast<uint8_t>(event.number);
-  }
-  void leave() {
+  void answer(uint8_t result) { status_ = transfer.onAck(result, now(), pace); }
+  Status onTime() override { return transfer.onTime(now(), pace); }
+  void leave() override {
     while (!isFull_ && transfer.toSend() != Send::Nothing) leaveOne();
   }
   void leaveOne() {
     const uint16_t item = transfer.itemToSend();
     switch (sendOne()) {
       case Send::Nothing: break;
-      case Send::Count: said_.note("count", sinceSpoken()); break;
+      case Send::Count: note("count"); break;
       case Send::Cancel:
         if (!isFull_) sendOne();
-        said_.note(isFull_ ? "cancel" : "cancel and count", sinceSpoken());
+        note(isFull_ ? "cancel" : "cancel and count");
         break;
       case Send::Item:
-      case Send::NextItem: said_.note("item", sinceSpoken(), item); break;
+      case Send::NextItem: note("item", item); break;
     }
   }
 };
@@ -160,7 +104,7 @@ TEST_CASE("on a lossy link, an error long behind the last new request says that 
   CHECK(px4.ends("wait 2600, error") == "TimedOut");
   Upload asleep(3, kPx4, kFromOpen);
   asleep.plays("lossy, asks 0 to 1");
-  asleep.now = static_cast<uint16_t>(asleep.now + 5100);
+  asleep.sleep(5100);
   CHECK(asleep.ends("error") == "goes on");  // nothing was repeated unasked that it could answer
 }
 
@@ -431,7 +375,7 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
     Upload upload(count, kEach[round % 3], round % 5 == 0, static_cast<uint16_t>(seed));
     bool lastLeft = count == 0;
     Status status = Status::Transferring;
-    uint32_t startMs = upload.now, spentMs = 0;
+    uint32_t spentMs = 0;
     int steps = 0;
     for (; status == Status::Transferring && steps < 1000; ++steps) {
       seed = seed * 1664525 + 1013904223;
@@ -442,13 +386,13 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
         if (upload.sendOne() == Send::Item && isLast) lastLeft = true;
       }
       if (dice < 60) {
-        status = upload.transfer.onRequest(number % 5, upload.now, upload.pace);
+        status = upload.transfer.onRequest(number % 5, upload.now(), upload.pace);
       } else if (dice < 80) {
-        status = upload.transfer.onAck(static_cast<uint8_t>(number % 18), upload.now, upload.pace);
+        status = upload.transfer.onAck(static_cast<uint8_t>(number % 18), upload.now(), upload.pace);
       } else {
         spentMs += number % 700;
-        upload.now = static_cast<uint16_t>(startMs + spentMs);
-        status = upload.transfer.onTime(upload.now, upload.pace);
+        upload.sleep(number % 700);
+        status = upload.transfer.onTime(upload.now(), upload.pace);
       }
       if (status == Status::Accepted) REQUIRE(lastLeft);
     }
