@@ -1,4 +1,4 @@
-// A peer that answers what a client asks it, each millisecond, and what that was word by word.
+// A peer that looks every millisecond for what a client asks, answers it, and says in words what it was.
 #pragma once
 
 #include <map>

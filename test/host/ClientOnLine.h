@@ -32,7 +32,7 @@ class ClientOnLine {
   bool beats = true;        // whether the peer sends heartbeats
   bool saysVehicle = true;  // whether it answers, as a vehicle that is no plane, when it is asked which one it is
 
-  // `startMs`: what millis() says at the beginning; 0 is behind a reset, when answers to what was before may come.
+  // `startMs`: what millis() says at the beginning; 0 is after a reset, when answers to what was before may come.
   explicit ClientOnLine(uint8_t autopilot, uint32_t startMs = 65000);
 
   uint32_t nowMs() const { return nowMs_; }

@@ -58,7 +58,7 @@ int numberAtEnd(const std::string& word) {
              : static_cast<int>(strtol(word.c_str() + at, nullptr, 10));
 }
 
-// "ITEM 4" behind "ITEM 3".
+// "ITEM 4" after "ITEM 3".
 bool isNext(const std::string& word, const std::string& next) {
   return (word.compare(0, 5, "ITEM ") == 0 || word.compare(0, 8, "REQUEST ") == 0) && numberAtEnd(word) >= 0 &&
          next == word.substr(0, word.find(' ') + 1) + std::to_string(numberAtEnd(word) + 1);

@@ -28,7 +28,7 @@ class Conversation : public ClientOnLine {
   std::vector<mavmission::Status> told;  // what onEnd() was told
   std::string progress;                  // what onProgress() was told since it was emptied: "1/3 2/3 "
 
-  // The autopilot has been heard for `aloneMs`. `startMs`: of millis(); 0 is behind a reset.
+  // The autopilot has been heard for `aloneMs`. `startMs`: of millis(); 0 is after a reset.
   explicit Conversation(uint8_t autopilot, uint32_t startMs = 65000, uint32_t aloneMs = 3000);
   template <size_t N>
   Conversation(uint8_t autopilot, const mavmission::MissionItem (&items)[N],
@@ -37,7 +37,7 @@ class Conversation : public ClientOnLine {
     isAbout(mavmission::inRam(items, N), is);
   }
 
-  // From now on it is about this plan, which the autopilot has as it keeps it: behind home, and without a yaw.
+  // From now on it is about this plan, which the autopilot has as it keeps it: after home, and without a yaw.
   Conversation& isAbout(const mavmission::ItemSource& source, mavmission::PlanType is = mavmission::PlanType::Mission);
 
   // What left, and how operations ended, while this happened, one after the other:

@@ -49,9 +49,9 @@ class FilePilot : public AnsweringPeer {
 
   explicit FilePilot(uint8_t autopilot = kArduPilot);
 
-  // What happens, one behind the other. It is found, and no file is open any more...
+  // What happens, one after the other. It is found, and no file is open any more...
   FilePilot& settle();
-  FilePilot& has(const Plan& plan);  // that an earlier upload has left aboard
+  FilePilot& has(const Plan& plan);  // an earlier upload has left it aboard
   FilePilot& answering(uint8_t opcode, int result);
   FilePilot& answering();  // as it should
   FilePilot& serving();

@@ -1,5 +1,5 @@
 // A conversation as two lines of text. In goes a script, "asks 0 to 2, wait 1500, accepted"; out comes what it leads
-// to, "count, item 0 to 2, 1500 item 2, Accepted": each word behind the milliseconds since the one before it.
+// to, "count, item 0 to 2, 1500 item 2, Accepted": each word after the milliseconds since the one before it.
 #pragma once
 
 #include <stdint.h>
@@ -18,7 +18,7 @@ struct Event {
   bool is(const char* word) const { return known(what == word); }
   // The same of a word that is asked for otherwise.
   bool known(bool is) const { return isKnown = isKnown || is, is; }
-  // Its words up to the first blank, and behind the last.
+  // Its words up to the first blank, and after the last.
   std::string first() const { return what.substr(0, what.find(' ')); }
   std::string last() const { return what.substr(what.rfind(' ') + 1); }
 
@@ -50,12 +50,12 @@ class Events {
 
 Events eventsOf(const std::string& script);
 
-// The script, `count` times, each with a comma behind it.
+// The script, `count` times, each with a comma after it.
 std::string times(unsigned count, const std::string& script);
 
 class Transcript {
  public:
-  // `what` happened, `ms` behind what was noted before.
+  // `what` happened, `ms` after what was noted before.
   void note(const std::string& what, uint32_t ms = 0);
   // The same with a number: "item 0 to 2" when one follows the other at the same moment.
   void note(const std::string& what, uint32_t ms, uint32_t number);

@@ -51,7 +51,7 @@ class Aircraft : public AnsweringPeer {
   // What else loop() does, before the client's update().
   virtual void loop() {}
 
-  // What happens, one behind the other. On the ground, and found...
+  // What happens, one after the other. On the ground, and found...
   Aircraft& stand(uint32_t inMode);
   Aircraft& stand() { return stand(isPx4_ ? uint32_t{kPx4Mission} : uint32_t{kStabilize}); }
   // In the air, in this mode, and seen disarmed before.

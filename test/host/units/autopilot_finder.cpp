@@ -216,7 +216,7 @@ TEST_CASE("naming the one that is there already keeps it; naming none forgets it
   CHECK(finder.isFrom(3, 1));
 }
 
-TEST_CASE("armed is what the last heartbeat says, also behind 8 s of silence") {
+TEST_CASE("armed is what the last heartbeat says, also after 8 s of silence") {
   Finder finder;
   finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, MAV_MODE_FLAG_SAFETY_ARMED), 0);
   CHECK(finder.isArmed());

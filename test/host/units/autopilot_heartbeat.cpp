@@ -33,7 +33,7 @@ Bytes signedFrame(FrameParts parts) {
 
 }  // namespace
 
-TEST_CASE("an autopilot's heartbeat is found behind whatever frames, and what is behind it is left") {
+TEST_CASE("an autopilot's heartbeat is found after whatever frames, and what is after it is left") {
   const Bytes before[] = {
       Bytes(),
       telemetry(),
@@ -87,7 +87,7 @@ TEST_CASE("what is no autopilot's heartbeat is read to the end of the datagram")
   }
 }
 
-TEST_CASE("a heartbeat behind one that does not count is found") {
+TEST_CASE("a heartbeat after one that does not count is found") {
   for (const Bytes& first : {packed(heartbeatParts(8)), signedFrame(heartbeatParts(8)), ofVersion1(heartbeatParts(8))})
     CHECK(readFrom(first + heartbeat()).isFound);
 }

@@ -24,7 +24,7 @@ int digitalRead(int) { return gLevel; }
 
 using namespace mavmission;
 
-TEST_CASE("a button counts once each time that it is held without a break, and only behind a release") {
+TEST_CASE("a button counts once each time that it is held without a break, and only after a release") {
   const struct {
     std::initializer_list<int> levelsMs;  // from the first moment on: so long up, so long down, and so on
     const char* pressedMs;

@@ -328,7 +328,7 @@ bool check(uint8_t kind, Do running, In place, Do deed, int moment) {
   CAPTURE(text(sketch.ends));
   // Each operation ends once, for onEnd() as for update().
   CHECK(sketch.told.size() == sketch.begun);
-  // (An update() returns one end, the first: that of an operation which a listener's callback has begun in vain behind
+  // (An update() returns one end, the first: that of an operation which a listener's callback has begun in vain after
   // the end of another one was returned to whoever began it.)
   const bool isVain = deed == Do::TooLong || deed == Do::PartOfNothing || deed == Do::NoType;
   const bool isHidden = isVain && place >= In::Message && sketch.told.size() == 2 && sketch.ends.size() == 1;

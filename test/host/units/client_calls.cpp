@@ -195,7 +195,7 @@ TEST_CASE("where answers take long, late ones are waited for longer") {
   CHECK(desk.plays("cancel, clear, 2559 ms | until CLEAR 521 ms") == "ACK cancelled, -> Cancelled (NotKnown) | CLEAR");
 }
 
-TEST_CASE("behind a reset nothing is waited for but what it says, and then nothing any more") {
+TEST_CASE("after a reset nothing is waited for but what it says, and then nothing any more") {
   for (const uint32_t afterMs : {10, 700, 9000, 10010}) {
     Conversation desk(kArduPilot, 0, 0);
     desk.isAbout(inRam(kPlan)).client.setTargetIds(1, 1);
@@ -229,7 +229,7 @@ TEST_CASE(
   CHECK(desk.plays("5 ms") == "-> Cancelled (NotKnown)");
 }
 
-TEST_CASE("what is begun and cancelled behind an end in one update() is returned by the next, beside onEnd()") {
+TEST_CASE("what is begun and cancelled after an end in one update() is returned by the next, beside onEnd()") {
   Conversation desk(kArduPilot);
   MissionFollower follower(desk.client);
   follower.onText(onText, &desk.client);
@@ -257,7 +257,7 @@ TEST_CASE("each operation begins with nothing of the one before") {
   CHECK(desk.client.itemsTotal() == 0);
 }
 
-TEST_CASE("behind a read-back that was cancelled a download tells its progress") {
+TEST_CASE("after a read-back that was cancelled a download tells its progress") {
   Conversation desk(kPx4, kPlan);
   desk.isAbout(inRam(kPlan, 1)).plays("upload always, until COUNT, asks 0");
   CHECK(desk.plays("accepted, cancel, 5 ms") == "LIST, ACK cancelled, -> Cancelled (NotKnown)");
@@ -265,7 +265,7 @@ TEST_CASE("behind a read-back that was cancelled a download tells its progress")
   CHECK(desk.client.itemsDone() == 1);
 }
 
-TEST_CASE("behind an upload with back-offs the next operation has its whole time") {
+TEST_CASE("after an upload with back-offs the next operation has its whole time") {
   Conversation desk(kArduPilot, kPlan);
   desk.client.retryWhenBusy(60);
   desk.client.setOperationTimeout(5);

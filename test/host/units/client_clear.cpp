@@ -31,7 +31,7 @@ TEST_CASE("a plan of each type is cleared by itself, and nothing of that type is
   }
 }
 
-TEST_CASE("all plans are cleared one behind the other, and the first refusal is the end, or silence") {
+TEST_CASE("all plans are cleared one after the other, and the first refusal is the end, or silence") {
   for (const bool isSilent : {false, true}) {
     Conversation desk(kArduPilot, kPlan, PlanType::All);
     CHECK(desk.plays("8 s, clear, 5 ms | accepted of mission") == "CLEAR | CLEAR of fence");
@@ -61,7 +61,7 @@ TEST_CASE("what is aboard is not known from the first CLEAR_ALL on, until it is 
 }
 
 TEST_CASE(
-    "behind another operation an acceptance is proven by the number of items, and CLEAR_ALL sent again if need be") {
+    "after another operation an acceptance is proven by the number of items, and CLEAR_ALL sent again if need be") {
   Clearing desk(PlanType::Mission);
   desk.plays("accepted, 3 s");
   CHECK(desk.plays("clear, until CLEAR 10 ms, count 0 | accepted") == "CLEAR | LIST");  // nobody had asked yet
@@ -134,7 +134,7 @@ TEST_CASE("a fence's clear stays one when the autopilot's heartbeats turn to MAV
   for (const SentFrame& frame : desk.sent) CHECK((frame.messageId != 45 || frame.frame[0] == 0xFD));
 }
 
-TEST_CASE("behind a transfer that was left open a clear waits for the answers to that") {
+TEST_CASE("after a transfer that was left open a clear waits for the answers to that") {
   Conversation desk(kArduPilot, kPlan);
   desk.plays("8 s, upload unread, until COUNT, asks 0");
   CHECK(desk.plays("cancel, clear, 1500 ms | until CLEAR 3 s, cancelled") ==
@@ -144,7 +144,7 @@ TEST_CASE("behind a transfer that was left open a clear waits for the answers to
   CHECK(desk.plays("9 s, cancelled") == "CLEAR x4, -> NoAnswer (NotKnown)");
 }
 
-TEST_CASE("behind a reset a clear waits for answers to what was before, and is then repeated as any other") {
+TEST_CASE("after a reset a clear waits for answers to what was before, and is then repeated as any other") {
   Conversation desk(kArduPilot, 0, 0);
   desk.client.setTargetIds(1, 1);
   desk.pass(10);
@@ -158,7 +158,7 @@ TEST_CASE("a clear leaves in the update() that follows, and is a message of its 
   CHECK(desk.isAbout(emptyPlan(), PlanType::Rally).plays("clear, 1 ms") == "CLEAR of rally");
 }
 
-TEST_CASE("behind a reading that has ended a clear waits until a copy of its last message has come") {
+TEST_CASE("after a reading that has ended a clear waits until a copy of its last message has come") {
   CHECK(
       Conversation(kArduPilot, kPlan).plays("8 s, verify, until LIST, count 5 | clear, 390 ms | until CLEAR 100 ms") ==
       "LIST, -> Differs in Count (NotKnown), ACK cancelled | | CLEAR");
@@ -175,7 +175,7 @@ TEST_CASE("a clear that is cancelled is cancelled without a word, and the next o
         "Busy, -> Cancelled (NotKnown) | CLEAR");
 }
 
-TEST_CASE("behind a clear PX4 may still be busy if it was asked for the number of items, and not otherwise") {
+TEST_CASE("after a clear PX4 may still be busy if it was asked for the number of items, and not otherwise") {
   const std::string refused = "upload unread, until COUNT | error | error, 20 ms";
   Conversation plain(kPx4, kPlan), asked(kPx4, kPlan);
   plain.plays("8 s, clear, 5 ms, accepted");

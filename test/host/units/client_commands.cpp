@@ -104,7 +104,7 @@ TEST_CASE("a command that takes too long ends as such, and its time begins when 
   CHECK(later.client.isBusy());
 }
 
-TEST_CASE("behind a command that was repeated the same one waits for late answers, and another one does not") {
+TEST_CASE("after a command that was repeated the same one waits for late answers, and another one does not") {
   const auto behind = [](const FlightCommand& next, const std::string& events) {
     Ordering desk;
     const std::string first = desk.plays("send, until LONG, until LONG 1600 ms, answer 531 accepted");
@@ -121,14 +121,14 @@ TEST_CASE("behind a command that was repeated the same one waits for late answer
   CHECK(behind(kVideo, "send, 10 ms") == "LONG 2500 1 2 3 4 5 6 7");
 }
 
-TEST_CASE("behind a command that took long, and was repeated, the same one waits for late answers as well") {
+TEST_CASE("after a command that took long, and was repeated, the same one waits for late answers as well") {
   Ordering desk;
   desk.plays("send, until LONG, until LONG 1600 ms");
   for (int i = 0; i < 6; ++i) desk.plays("answer 531 in progress, 4 s");
   CHECK(desk.plays("answer 531 accepted | send, 1500 ms") == "-> Done (NotKnown) |");
 }
 
-TEST_CASE("behind a command that was answered at once the same one leaves at once, and not behind a cancelled one") {
+TEST_CASE("after a command that was answered at once the same one leaves at once, and not after a cancelled one") {
   CHECK(Ordering().plays("send, 10 ms, answer 531 accepted | send, 10 ms, answer 531 accepted") ==
         "LONG 531 1, -> Done (NotKnown) | LONG 531 1, -> Done (NotKnown)");
   CHECK(Ordering().plays("send, 10 ms, cancel, 5 ms | send, 1400 ms | until LONG 200 ms") ==
@@ -160,7 +160,7 @@ TEST_CASE("MISSION_START is not sent where it would arm, and any other command i
   CHECK(Ordering(kStart, kPx4, true).plays("send, 20 ms | disarmed, 50 ms") == "LONG 300 | -> NotArmed (NotKnown)");
 }
 
-TEST_CASE("what takes, arms or starts leaves, and leaves again, behind a heartbeat that shows no reason against it") {
+TEST_CASE("what takes, arms or starts leaves, and leaves again, after a heartbeat that shows no reason against it") {
   for (const FlightCommand& one : {flightCommand(22), flightCommand(176, 1, 4), flightCommand(209, 1)}) {
     Ordering still(one, kArduPilot, true), desk(one, kArduPilot, true);
     still.beatsWhenAsked = false;
@@ -180,7 +180,7 @@ TEST_CASE("arming by send() is not forced, and nothing else of a command is chan
   CHECK(desk.plays("send, 10 ms") == "LONG 2500 1 21196 3");
 }
 
-TEST_CASE("arm() and disarm() are done when a heartbeat shows it, which is asked for behind the acceptance") {
+TEST_CASE("arm() and disarm() are done when a heartbeat shows it, which is asked for after the acceptance") {
   for (const bool arms : {true, false}) {
     Ordering desk(kZoom, kArduPilot, !arms);
     const std::string before = arms ? "disarmed" : "armed", after = arms ? "armed" : "disarmed";

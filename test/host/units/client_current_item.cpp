@@ -28,7 +28,7 @@ TEST_CASE("an item is current when MISSION_CURRENT names it, and not before") {
   CHECK(ordered(kPx4, 2, "current 1 of 0, current 1 of 6, 100 ms | current 2 of 6") == "| -> Done (NotKnown)");
 }
 
-TEST_CASE("the last item of a plan can be current, and the one behind it cannot") {
+TEST_CASE("the last item of a plan can be current, and the one after it cannot") {
   for (const uint8_t autopilot : {kArduPilot, kPx4}) {  // in the total home is not counted
     CHECK(ordered(autopilot, 5, "current 1 of 6, 100 ms |") == "|");
     CHECK(ordered(autopilot, 6, "current 1 of 6, 100 ms |") == "-> NoSuchItem at 6 (NotKnown) |");

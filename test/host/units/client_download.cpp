@@ -58,7 +58,7 @@ TEST_CASE("ArduPilot's home comes first, by its own index, and each item with th
   Loading desk(kArduPilot);
   CHECK(desk.client.itemsTotal() == 0);
   desk.held = {waypoint(-35.36_deg, 149.16_deg, 584_m), kPlan[0], kPlan[1]};
-  desk.held[2].param1 = 1;  // behind home
+  desk.held[2].param1 = 1;  // after home
   desk.held[0].current = 1;
   CHECK(desk.plays("count") == "REQUEST 0-2");
   CHECK(desk.client.itemsTotal() == 2);
@@ -135,7 +135,7 @@ TEST_CASE("a sink that is full, by its limit or in the middle, ends the download
   CHECK(full.plays("count, items") == "REQUEST 0-1, -> Downloaded (NotKnown), ACK accepted");  // as many as it may take
 }
 
-TEST_CASE("behind a verification a download is stored, and not compared") {
+TEST_CASE("after a verification a download is stored, and not compared") {
   Loading desk(kPx4);
   desk.plays("cancel, 3 s");
   desk.isAbout(inRam(kPlan)).plays("verify, 5 ms, cancel, 3 s");

@@ -81,7 +81,7 @@ TEST_CASE("a look that takes too long ends as such") {
   CHECK(desk.plays("ensure, until LIST, 3100 ms") == "LIST x2, -> TookTooLong (NotKnown), ACK cancelled");
 }
 
-TEST_CASE("a look that is denied again and again is taken up after the back-off, and so is the upload behind it") {
+TEST_CASE("a look that is denied again and again is taken up after the back-off, and so is the upload after it") {
   Conversation desk(kArduPilot, kPlan), replacing(kArduPilot, kPlan);
   desk.client.retryWhenBusy(60);
   desk.plays("ensure, until LIST, denied, 7600 ms");
@@ -100,7 +100,7 @@ TEST_CASE("ACCEPTED and INVALID_SEQUENCE, late answers to something earlier, do 
 
 TEST_CASE(
     "a COUNT of the look that the line repeats is not the one of the read-back, and is believed the second time") {
-  // An empty plan is uploaded behind the look, and read back.
+  // An empty plan is uploaded after the look, and read back.
   const auto proving = [](const std::string& events) {
     Conversation desk(kArduPilot);
     desk.plays("ensure always, until LIST, count 2, until COUNT 600 ms, accepted, count 2");

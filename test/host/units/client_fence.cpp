@@ -1,4 +1,4 @@
-// Short fences by a whole client: ArduPilot accepts one, and may wipe it behind the acceptance.
+// Short fences by a whole client: ArduPilot accepts one, and may wipe it after the acceptance.
 #include <doctest/doctest.h>
 
 #include "Conversation.h"
@@ -79,7 +79,7 @@ TEST_CASE("an empty fence and a short plan of another type are not doubted") {
         "COUNT 1 of rally, ITEM 0 of rally, -> Accepted (OurPlan)");
 }
 
-TEST_CASE("an empty fence is accepted behind one that lacked a corner, and ensure() of a fence looks for it") {
+TEST_CASE("an empty fence is accepted after one that lacked a corner, and ensure() of a fence looks for it") {
   const MissionItem corner = anyCommandAt(kFencePolygonInclusion, -35_deg, 149_deg, aboveSeaLevel(0_m), 3);
   const MissionItem unclosed[] = {corner, corner};
   Conversation desk(kArduPilot, unclosed, PlanType::Fence);
@@ -89,7 +89,7 @@ TEST_CASE("an empty fence is accepted behind one that lacked a corner, and ensur
   CHECK(desk.isAbout(inRam(kCircles), PlanType::Fence).plays("ensure, until LIST, count, items") ==
         "LIST of fence, REQUEST 0 of fence, REQUEST 1 of fence, REQUEST 2 of fence, REQUEST 3 of fence, "
         "-> AlreadyAboard (OurPlan), ACK accepted of fence");
-  // In the upload behind a look the first denial is not believed, and in the next upload it is.
+  // In the upload after a look the first denial is not believed, and in the next upload it is.
   CHECK(desk.plays("ensure, until LIST, count 0, until COUNT, denied, cancel, 3 s") ==
         "LIST of fence, ACK cancelled of fence, COUNT 4 of fence, ACK cancelled of fence, -> Cancelled (NotKnown)");
   CHECK(desk.plays("again, until COUNT, denied") == "COUNT 4 of fence, -> Denied (AsBefore)");

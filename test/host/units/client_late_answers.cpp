@@ -1,4 +1,4 @@
-// What one operation leaves behind for the next: answers that are still on their way, and what aboard() says.
+// What one operation leaves for the next: answers that are still on their way, and what aboard() says.
 #include <doctest/doctest.h>
 
 #include "Conversation.h"
@@ -42,7 +42,7 @@ TEST_CASE("what follows an upload that has repeated nothing waits until a copy o
   }
 }
 
-TEST_CASE("behind an upload in which a frame came twice it also waits for the copy of that answer") {
+TEST_CASE("after an upload in which a frame came twice it also waits for the copy of that answer") {
   CHECK(Sent().plays("accepted, clear, 700 ms") == "-> Accepted (OurPlan), CLEAR");
   CHECK(Sent().plays("twice, accepted, clear, 700 ms | 200 ms") == "-> Accepted (OurPlan) | CLEAR");
   Conversation before(kArduPilot, kPlan);

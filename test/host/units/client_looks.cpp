@@ -1,4 +1,4 @@
-// ensure() by a whole client: what the look takes for an answer, how it ends, and what the upload behind it says.
+// ensure() by a whole client: what the look takes for an answer, how it ends, and what the upload after it says.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ TEST_CASE("any other autopilot's plan is read, without progress, and its end is 
   CHECK(desk.plays("cancel, 5 ms") == "ACK cancelled, -> Cancelled (NotKnown)");
 }
 
-TEST_CASE("behind a download a look compares, and what comes as floats as well") {
+TEST_CASE("after a download a look compares, and what comes as floats as well") {
   CHECK(Looking(kOther, "download, 5 ms, cancel, 3 s, ensure").plays("count, items") ==
         "REQUEST 0-1, -> AlreadyAboard (OurPlan), ACK accepted");
   CHECK(Looking(kOther).plays("count, float item 0, float item 1") ==
@@ -121,7 +121,7 @@ TEST_CASE("an item whose place has to be searched is compared when that is found
   CHECK(asked == "REQUEST 1");
 }
 
-TEST_CASE("the look leaves behind an update() for each item, and has its whole time when it waited") {
+TEST_CASE("the look leaves after an update() for each item, and has its whole time when it waited") {
   CHECK(Conversation(kArduPilot, kPlan).plays("10 ms, clock, ensure, 10 ms") == "LIST @5");
   CHECK(Conversation(kOther, kPlan).plays("10 ms, clock, ensure, 10 ms") == "LIST @4");
   Conversation desk(kPx4, 65000, 0);
@@ -175,7 +175,7 @@ TEST_CASE("an autopilot that fell silent during the back-off of a look is waited
   CHECK((desk.client.status() == Status::WaitingForAutopilot));
 }
 
-TEST_CASE("while a plan is looked at an update() takes half as many bytes, and the whole again behind that") {
+TEST_CASE("while a plan is looked at an update() takes half as many bytes, and the whole again after that") {
   Looking looking(kOther), replacing(kOther), ended(kOther, "armed, ensure");
   looking.pass(5);
   const size_t half = looking.readInOne();
@@ -202,7 +202,7 @@ TEST_CASE("while items are looked at an error may be about what was before, and 
 }
 
 TEST_CASE(
-    "behind a reset a denial of the look begins it anew when its attempts are used up, for as long as that may be "
+    "after a reset a denial of the look begins it anew when its attempts are used up, for as long as that may be "
     "ours") {
   Conversation desk(kArduPilot, 0, 0);
   desk.isAbout(inRam(kPlan)).client.setTargetIds(1, 1);
@@ -221,7 +221,7 @@ TEST_CASE("the reading is closed in the frame that is free, before the upload be
   CHECK(desk.sent[0].payload[4] == 18);  // MAV_TYPE_ONBOARD_CONTROLLER
 }
 
-TEST_CASE("what was said of the look is forgotten in the upload behind it") {
+TEST_CASE("what was said of the look is forgotten in the upload after it") {
   Looking desk(kArduPilot);
   desk.plays("denied");
   CHECK(desk.client.lastResult() == 14);
@@ -234,7 +234,7 @@ TEST_CASE("what was said of the look is forgotten in the upload behind it") {
   CHECK(desk.progress == "1/2 ");
 }
 
-TEST_CASE("behind a look PX4 may still be busy with it, also behind one whose upload was denied") {
+TEST_CASE("after a look PX4 may still be busy with it, also after one whose upload was denied") {
   const std::string busy = "error, 20 ms, error, 20 ms";
   CHECK(Looking(kPx4, "ensure", 30000).plays("count named ours, upload unread, until COUNT 2 s | " + busy) ==
         "-> AlreadyAboard (OurPlan), ACK cancelled, COUNT 2 | ACK cancelled, COUNT 2");
@@ -246,14 +246,14 @@ TEST_CASE("behind a look PX4 may still be busy with it, also behind one whose up
                    busy) == "ACK cancelled, COUNT 2 | COUNT 2, -> Denied (NotKnown) | COUNT 2, ACK cancelled, COUNT 2");
 }
 
-TEST_CASE("a short fence that settles behind a look is cancelled without a word") {
+TEST_CASE("a short fence that settles after a look is cancelled without a word") {
   Conversation desk(kArduPilot, kFence, PlanType::Fence);
   desk.plays("ensure, until LIST, count 0, until COUNT 600 ms, asks 0, accepted, 300 ms");
   CHECK(desk.plays("cancel, 20 ms") == "-> Cancelled (NotKnown)");
 }
 
 TEST_CASE(
-    "a refusal of the upload behind a look says what that leaves, and one that may be about the look says nothing") {
+    "a refusal of the upload after a look says what that leaves, and one that may be about the look says nothing") {
   const auto behind = [](const std::string& events) {
     Looking desk(kArduPilot);
     desk.plays("count 7, until COUNT 600 ms");
@@ -265,7 +265,7 @@ TEST_CASE(
   CHECK(behind("asks 0-1, no space") == "ITEM 0-1, -> NoSpace at 0 (Mixture)");
 }
 
-TEST_CASE("the read-back behind a look takes no COUNT that comes before it has asked") {
+TEST_CASE("the read-back after a look takes no COUNT that comes before it has asked") {
   Looking desk(kArduPilot, "ensure always");
   desk.plays("count 7, until COUNT 600 ms, asks all, full");
   CHECK(desk.plays("accepted, count | free, until LIST 50 ms") == "| LIST");

@@ -51,7 +51,7 @@ struct Named : Conversation {
     REQUIRE((client.aboard() == Aboard::OurPlan));
     told.clear();
   }
-  // What aboard() says behind so many of MISSION_CURRENT.
+  // What aboard() says after so many of MISSION_CURRENT.
   std::string shown(uint32_t byName, uint16_t total = 2, uint8_t state = MISSION_STATE_ACTIVE, int times = 5) {
     mavlink_mission_current_t message = mavlink_mission_current_t();
     message.seq = 1;
@@ -62,7 +62,7 @@ struct Named : Conversation {
     return nameOf(client.aboard());
   }
   std::string shownOnce(uint32_t byName, uint16_t total = 2) { return shown(byName, total, MISSION_STATE_ACTIVE, 1); }
-  // What onEnd() is told behind this text.
+  // What onEnd() is told after this text.
   std::string says(const char* text) {
     Bytes payload(51);
     payload[0] = 6;
@@ -162,7 +162,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a mission that PX4 rejects in words behind its acceptance is infeasible, and that is told once") {
+TEST_CASE("a mission that PX4 rejects in words after its acceptance is infeasible, and that is told once") {
   Named other(kPx4, kNothingYet);
   CHECK(other.says(kRejected) == "");  // none of ours
   Named desk(kPx4);

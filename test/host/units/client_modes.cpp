@@ -62,7 +62,7 @@ TEST_CASE("an ArduPilot that does not say that it is a plane is asked once which
     Ordering desk;
     CHECK(desk.sets(FlightMode::Guided).plays("10 ms, silence, 1200 ms, beat") == "LONG 3000");  // to no state
     desk.beatsWhenAsked = false;
-    // No order leaves behind an old heartbeat.
+    // No order leaves after an old heartbeat.
     CHECK(desk.plays(std::string("answer 3000 ") + vehicle.answer + " | beat") ==
           std::string("BEAT? | ") + vehicle.guided);
     CHECK(desk.client.lastResult() == 255);
@@ -92,7 +92,7 @@ TEST_CASE("another answer to that question, or none, is the end") {
         "LONG 3000, LONG 3000 #1, LONG 3000 #2, LONG 3000 #3, LONG 3000 #4, -> NoAnswer (NotKnown)");
 }
 
-TEST_CASE("behind that question the order is repeated as any other") {
+TEST_CASE("after that question the order is repeated as any other") {
   CHECK(Ordering().sets(FlightMode::Guided).plays("20 ms, answer 3000 unsupported, 9 s") ==
         "LONG 3000, " + kFiveTimes + ", -> NoAnswer (NotKnown)");
 }
@@ -174,7 +174,7 @@ TEST_CASE("a mode that flies already is not ordered") {
   CHECK(Ordering(kArduPilot, kCopterType, kGuided).sets(kGuided).plays("1500 ms") == "-> Done (NotKnown)");
 }
 
-TEST_CASE("an order leaves right behind a heartbeat, which is asked for, and again 100 ms later") {
+TEST_CASE("an order leaves right after a heartbeat, which is asked for, and again 100 ms later") {
   Ordering desk;
   CHECK(desk.quiet().sets(kGuided).plays("until BEAT?, clock, 350 ms") == "BEAT? @0 100 200 300");
   desk.hear(heartbeatParts(kArduPilot));
@@ -197,7 +197,7 @@ TEST_CASE("an accepted order that no heartbeat shows is unconfirmed, and the oth
   CHECK(px4.plays("answer 176 rejected") == "-> CommandRejected (NotKnown)");
 }
 
-TEST_CASE("behind its acceptance an order asks for a heartbeat, and is done when that shows the mode") {
+TEST_CASE("after its acceptance an order asks for a heartbeat, and is done when that shows the mode") {
   Ordering desk;
   desk.sets(kGuided).plays("20 ms");
   CHECK(desk.quiet().plays("answer 176 accepted") == "BEAT?");
@@ -228,7 +228,7 @@ TEST_CASE("while somebody's mode may be undone heartbeats are asked for every 50
   CHECK(desk.plays("mode 5, 410 ms, mode 5") == "-> TakenOver (NotKnown)");
 }
 
-TEST_CASE("behind a loop() that stood still an order waits for a new heartbeat, and so does what it believes") {
+TEST_CASE("after a loop() that stood still an order waits for a new heartbeat, and so does what it believes") {
   Ordering before, behind;
   before.quiet().sets(kGuided).plays("until BEAT? 20 ms");
   before.beat();

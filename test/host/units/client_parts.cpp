@@ -33,7 +33,7 @@ TEST_CASE("a part of a plan is announced by its first and its last item, and the
   desk.pass(8000);
   CHECK((desk.client.uploadPartial(inRam(kPlan), 1, 2) == Status::WaitingForAutopilot));
   CHECK((desk.client.uploadPartial(inRam(kPlan), 1, 2) == Status::Busy));
-  CHECK(desk.plays("100 ms, asks 2-3, accepted") == "PART 2-3, ITEM 2-3, -> Accepted (OurPlan)");  // behind home
+  CHECK(desk.plays("100 ms, asks 2-3, accepted") == "PART 2-3, ITEM 2-3, -> Accepted (OurPlan)");  // after home
   // The same plan again goes as a whole only where it is given as a whole.
   CHECK(desk.plays("upload, until COUNT 3 s") == "COUNT 5");
 }
@@ -62,7 +62,7 @@ TEST_CASE("a part that is not within its plan is refused, and there is no plan f
   CHECK(px4.plays("100 ms") == "-> WholePlansOnly (NotKnown)");
 }
 
-TEST_CASE("uploadAgain() uploads the whole plan, behind a part, a download of another type and a clear, too") {
+TEST_CASE("uploadAgain() uploads the whole plan, after a part, a download of another type and a clear, too") {
   Conversation desk(kArduPilot, kPlan);
   desk.pass(8000);
   desk.client.uploadPartial(inRam(kPlan), 1, 2);

@@ -63,7 +63,7 @@ TEST_CASE("on a lossy link, the repeats in a read-back do not wait for what the 
   CHECK(desk.plays("until LIST 50 ms, until LIST 60 ms") == "LIST x2");
 }
 
-TEST_CASE("an empty plan that is accepted behind a reset, or behind another one, is proven by how many are aboard") {
+TEST_CASE("an empty plan that is accepted after a reset, or after another one, is proven by how many are aboard") {
   for (const std::string before : {"", "clear, 5 ms, cancel, "}) {
     for (const bool isAboard : {false, true}) {
       Conversation desk(kPx4, before.empty() ? 0 : 65000);
@@ -79,7 +79,7 @@ TEST_CASE("an upload that nobody confirms is read back, and what follows waits f
   Proving desk(kArduPilot);
   desk.plays("until LIST");
   CHECK(desk.plays("count, items") == "REQUEST 0-2, -> Accepted (OurPlan), ACK accepted");
-  // The next one waits, and nothing that comes behind its COUNT is from before.
+  // The next one waits, and nothing that comes after its COUNT is from before.
   CHECK(desk.plays("upload, 1 s | until COUNT 2 s, cancelled") == "| COUNT 3, -> CancelledByAutopilot (AsBefore)");
 }
 
@@ -116,12 +116,12 @@ TEST_CASE("on a lossy link, an acceptance is checked, unless PX4 has named the c
   CHECK(Proving(kPx4, "broken, upload").plays("accepted named ours") == "-> Accepted (OurPlan)");
 }
 
-TEST_CASE("behind a reset PX4's acceptance of an item that was repeated is checked") {
+TEST_CASE("after a reset PX4's acceptance of an item that was repeated is checked") {
   CHECK(Proving(kPx4, "upload", 0).plays("until ITEM, accepted") == "ITEM 1, LIST");
   CHECK(Proving(kPx4).plays("until ITEM, accepted") == "ITEM 1, -> Accepted (OurPlan)");
 }
 
-TEST_CASE("an error behind the last item may be none, which the plan that is aboard shows") {
+TEST_CASE("an error after the last item may be none, which the plan that is aboard shows") {
   CHECK(Proving(kArduPilot).plays("error | count, items | clear, until CLEAR 1 s") == kReadBehindHome + " | no CLEAR");
   // The last one was refused.
   CHECK(Proving(kArduPilot).plays("error | count 2") == "LIST | -> Error at 1 in Count (Mixture), ACK cancelled");

@@ -88,7 +88,7 @@ TEST_CASE("ArduPilot's items are asked for one by one on a line that has lost so
   CHECK(Reading(kArduPilot, "lost").plays("count, 45 ms").compare(0, 11, "REQUEST 0 x") == 0);  // it is not answered
 }
 
-TEST_CASE("what comes ahead of a lost item is asked for anew behind it, and each is taken once") {
+TEST_CASE("what comes ahead of a lost item is asked for anew after it, and each is taken once") {
   Reading desk(kArduPilot);
   CHECK(desk.plays("count, 15 ms") == "REQUEST 0-4");
   desk.give({0, 2, 3});  // the request for item 1 is lost

@@ -99,7 +99,7 @@ TEST_CASE("PX4's error to COUNT is waited for as a denial is, and the wait can b
   }
 }
 
-TEST_CASE("behind back-offs an upload begins anew, has its whole time, and goes on as any other") {
+TEST_CASE("after back-offs an upload begins anew, has its whole time, and goes on as any other") {
   Patient desk(kArduPilot);
   desk.client.setOperationTimeout(10);
   desk.countsWhenDenied(4);  // 15 s later

@@ -49,7 +49,7 @@ TEST_CASE("each item is sent as the plan has it, and the number of items before"
   plan[1].autocontinue = 0;
   Conversation desk(kOther);
   desk.isAbout(inRam(plan));
-  for (int upload = 0; upload < 2; ++upload) {  // behind other frames nothing of them is left over
+  for (int upload = 0; upload < 2; ++upload) {  // nothing is left over of the frames before
     CHECK(desk.plays("upload unread, until COUNT") == "COUNT 2");
     const Bytes count = {2, 0, 1, 1, 0, 0, 0, 0, 0};  // to 1/1, a mission, without an opaque_id
     CHECK(std::equal(count.begin(), count.end(), desk.sent.back().payload.begin()));
@@ -306,14 +306,14 @@ TEST_CASE("an autopilot that is lost while the plan is checked is waited for, an
   CHECK(desk.plays("heartbeats, until COUNT 3 s") == "COUNT 3");
 }
 
-TEST_CASE("behind a reset a refusal of COUNT may answer what was before: it is believed in the end") {
+TEST_CASE("after a reset a refusal of COUNT may answer what was before: it is believed in the end") {
   Conversation later(kArduPilot, kPlan), reset(kArduPilot, kPlan, PlanType::Mission, 0);
   CHECK(later.plays("upload unread, until COUNT, cancelled") == "COUNT 4, -> CancelledByAutopilot (AsBefore)");
   CHECK(reset.plays("upload unread, until COUNT, cancelled | 8 s") ==
         "COUNT 4 | COUNT 4 x4, -> CancelledByAutopilot (NotKnown)");
 }
 
-TEST_CASE("behind an upload that ended well, or with a refusal, nothing is waited for, and behind another one it is") {
+TEST_CASE("after an upload that ended well, or with a refusal, nothing is waited for, and after another one it is") {
   for (const std::string answer : {"accepted", "no space", "cancelled"}) {
     Conversation desk(kArduPilot, kPlan, PlanType::Mission, 0);
     desk.plays("upload unread, until COUNT, asks 0-3, " + answer);

@@ -176,7 +176,7 @@ TEST_CASE("silence, cancel() and a full sink do not change what is known to be a
   CHECK(desk.plays("until LIST, count") == "LIST, -> SinkFull (OurPlan), ACK cancelled");
 }
 
-TEST_CASE("behind a reset an error or a cancelling may be about what was before, and a denial is not") {
+TEST_CASE("after a reset an error or a cancelling may be about what was before, and a denial is not") {
   for (const std::string count : {"", "count, "}) {
     Verifying error(kArduPilot, 0), cancelled(kArduPilot, 0), denied(kArduPilot, 0);
     error.plays(count + "error");
@@ -242,7 +242,7 @@ TEST_CASE(
         "LIST, REQUEST 0-3, -> Verified (OurPlan), ACK accepted | CLEAR");
 }
 
-TEST_CASE("behind a reading PX4 may still be busy with it, for some time") {
+TEST_CASE("after a reading PX4 may still be busy with it, for some time") {
   const std::string refused = "upload unread, until COUNT | error | error, 20 ms";
   Verifying soon(kPx4, 30000), later(kPx4, 30000);
   soon.plays("count, items");

@@ -28,10 +28,10 @@ class Log {
   // mode leaves: it is sent; "too early" if it might not leave yet
   // answer to mode, answer to one: "taken" as one, or "ignored"; next frame: what follows comes with another number
   // ended N: answered or given up, after so many attempts; progress, gave up
-  // next operation, next behind another, next much later: the next one begins; forget
+  // next operation, next after another, next much later: the next one begins; forget
   // heartbeat asked, heartbeat comes; open: says how many of those requests are open
   // one asks, one gives up, settled; is one: whether its answer may come
-  // when mode, when one: behind how many ms it may leave, if it may at all; may mode, may one: the same of now, asked
+  // when mode, when one: after how many ms it may leave, if it may at all; may mode, may one: the same of now, asked
   //                      once and for all
   // slow N: the line is, what leaves is answered within so many ms; wait N
   std::string plays(const std::string& script) {
@@ -61,7 +61,7 @@ class Log {
     if (event.is("progress")) log_.onProgress(nowMs_);
     if (event.is("gave up")) log_.gaveUp();
     if (event.is("next operation")) log_.begin(Before::Command, nowMs_);
-    if (event.is("next behind another")) log_.begin(Before::Other, nowMs_);
+    if (event.is("next after another")) log_.begin(Before::Other, nowMs_);
     if (event.is("next much later")) log_.begin(Before::Nothing, nowMs_);
     if (event.is("forget")) log_.forget();
     if (event.is("heartbeat asked")) log_.askedAside(nowMs_);
@@ -105,7 +105,7 @@ TEST_CASE("the ids and times are MAVLink's, and those of the guide") {
   CHECK(+CommandLog::kNoCommand == 0);
   CHECK(+CommandLog::kNextAnswerMs == 1600);
   CHECK(+CommandLog::kLateAnswersS == 20);
-  // Late answers to all attempts, each behind a pause for progress, have come by then.
+  // Late answers to all attempts, each after a pause for progress, have come by then.
   CHECK(CommandLog::kLateAnswersS * 1000u >= CommandLog::kTries * CommandLog::kNextAnswerMs);
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("an answer is one to the operation's command that is under way") {
   CHECK(Log().plays("message leaves, answer to message, ended 3, when message") == "ignored, 0");
 }
 
-TEST_CASE("behind a command that was sent twice the same one waits for the second answer, and no other waits") {
+TEST_CASE("after a command that was sent twice the same one waits for the second answer, and no other waits") {
   for (unsigned attempts : {1, 2, 3, 4, 5, 100}) {  // of many on a lossy link the answers to five are waited for
     CHECK(Log().plays(answered("mode", attempts) + "when arm, when mode") ==
           "0, " + std::to_string((std::min(attempts, 5u) - 1) * 1600));
@@ -136,11 +136,11 @@ TEST_CASE("the next operation waits for late answers, and only for those") {
   CHECK(Log().plays(answered("mode", 2) + "forget, when mode") == "0");
 }
 
-TEST_CASE("behind an operation without commands it is waited for 1.5 s, whatever the clock says by now") {
+TEST_CASE("after an operation without commands it is waited for 1.5 s, whatever the clock says by now") {
   for (const char* much : {"wait 0, ", "wait 3000, ", "wait 40000, ", "wait 62000, "}) {
-    CHECK(Log().plays(answered("mode", 2) + much + "next behind another, when mode, when request") == "1500, 0");
-    CHECK(Log().plays(answered("mode", 1) + much + "next behind another, when mode") == "0");  // no other comes
-    CHECK(Log().plays(std::string(much) + "heartbeat asked, next behind another, open") == "0");
+    CHECK(Log().plays(answered("mode", 2) + much + "next after another, when mode, when request") == "1500, 0");
+    CHECK(Log().plays(answered("mode", 1) + much + "next after another, when mode") == "0");  // no other comes
+    CHECK(Log().plays(std::string(much) + "heartbeat asked, next after another, open") == "0");
   }
 }
 

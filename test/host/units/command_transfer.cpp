@@ -24,7 +24,7 @@ class Command {
   CommandTransfer transfer = CommandTransfer();
   uint16_t nowMs = kBeganMs;
 
-  // When it leaves and how it ends, each behind the milliseconds since the one before, when this happens:
+  // When it leaves and how it ends, each after the milliseconds since the one before, when this happens:
   // command, once: the next one begins, which may be repeated or not; listen N, pause N: in the place of that
   // wait N: N ms pass; silence: until it ends
   // progress; accepted: the answer to an order, found: to a question; slow N: its answer is waited for so long, or
@@ -96,7 +96,7 @@ TEST_CASE("what listens sends nothing, and is unconfirmed in the end") {
   CHECK(Command().plays("command, listen 7500, silence") == "7500 Unconfirmed");
 }
 
-TEST_CASE("behind a pause it is sent, with all its attempts") {
+TEST_CASE("after a pause it is sent, with all its attempts") {
   Command one;
   CHECK(one.plays("command, now, command, pause 1000") == "sent");
   CHECK((one.transfer.state() == State::Pausing));
@@ -127,7 +127,7 @@ TEST_CASE("on a lossy link an accepted question is sent again after 1500 ms, up 
   CHECK(first.transfer.tries() == 1);
 }
 
-TEST_CASE("on a lossy link an order that is accepted each time is given up behind the 16th, a question never") {
+TEST_CASE("on a lossy link an order that is accepted each time is given up after the 16th, a question never") {
   Command order, question;
   for (int command = 0; command < 2; ++command) {  // and the next one is counted anew
     order.plays("quick 80, command, now");
@@ -143,7 +143,7 @@ TEST_CASE("acceptance does not shorten the wait on a slow line") {
 
 // Heartbeats
 
-TEST_CASE("a guarded command leaves right behind a heartbeat, and each attempt behind another one") {
+TEST_CASE("a guarded command leaves right after a heartbeat, and each attempt after another one") {
   CommandTransfer transfer = CommandTransfer();
   uint16_t nowMs = kBeganMs;
   transfer.next(true);
@@ -166,7 +166,7 @@ TEST_CASE("a guarded command leaves right behind a heartbeat, and each attempt b
   CHECK(transfer.lacksHeartbeat(later(nowMs, 400)));
 }
 
-TEST_CASE("what has left stays under way behind the next command, and not for ever") {
+TEST_CASE("what has left stays under way after the next command, and not for ever") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true);
   transfer.guard();
@@ -181,7 +181,7 @@ TEST_CASE("what has left stays under way behind the next command, and not for ev
   }
 }
 
-TEST_CASE("behind a standstill what has left is under way to whatever was sent before, and no longer") {
+TEST_CASE("after a standstill what has left is under way to whatever was sent before, and no longer") {
   for (uint32_t standstillMs : {300u, 700u, 4096u, 65536u}) {
     CAPTURE(standstillMs);
     CommandTransfer transfer = CommandTransfer();
@@ -237,8 +237,7 @@ TEST_CASE("an autopilot whose heartbeat does not come is given up after 75 reque
   CHECK((heard.onTime(74, later(nowMs, 100)) == Status::Transferring));
 }
 
-TEST_CASE(
-    "a mode is set again behind each heartbeat, and as often as it can while that is fresh where bytes are lost") {
+TEST_CASE("a mode is set again after each heartbeat, and as often as it can while that is fresh where bytes are lost") {
   for (uint16_t answerMs : {uint16_t{CommandTransfer::kAnswerMs}, uint16_t{50}}) {
     const bool isLossy = answerMs < CommandTransfer::kAnswerMs;
     CommandTransfer transfer = CommandTransfer();
@@ -263,7 +262,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a mode that is set again in vain is given up after 40 times, also behind an order that was accepted") {
+TEST_CASE("a mode that is set again in vain is given up after 40 times, also after an order that was accepted") {
   for (bool isAccepted : {false, true}) {
     CAPTURE(isAccepted);
     CommandTransfer transfer = CommandTransfer();

@@ -13,11 +13,11 @@ static_assert((149.1652374_deg).e7() == 1491652374, "every digit");
 static_assert((0.0000001_deg).e7() == 1, "the smallest step");
 static_assert((180_deg).e7() == 1800000000, "the largest angle");
 static_assert((-180.0000000_deg).e7() == -1800000000, "the largest angle, west");
-static_assert((35.363200000000_deg).e7() == 353632000, "zeros behind the seventh decimal change nothing");
+static_assert((35.363200000000_deg).e7() == 353632000, "zeros after the seventh decimal change nothing");
 static_assert((0_deg).e7() == 0, "nothing");
 static_assert((0.5_deg).e7() == 5000000, "a 0 before the point");
 static_assert((.5_deg).e7() == 5000000, "no digit before the point");
-static_assert((7._deg).e7() == 70000000, "no digit behind the point");
+static_assert((7._deg).e7() == 70000000, "no digit after the point");
 }  // namespace
 
 TEST_CASE("a literal is exact where a float is not") {

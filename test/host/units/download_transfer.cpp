@@ -78,6 +78,13 @@ TEST_CASE("a plan is asked for item by item, each when the one before has come, 
   CHECK(Download().plays("count 0") == "list, acknowledge");
 }
 
+TEST_CASE("a reading that is closed early asks for nothing more, and is acknowledged at once") {
+  Download download = fetching(3);
+  download.transfer.close();
+  CHECK(download.transfer.othersAsked() == 0);
+  CHECK(download.plays("wait 1") == "acknowledge");
+}
+
 TEST_CASE("the list is asked for 5 times, 1500 ms apart, and then there is no answer") {
   for (uint16_t startMs : {0, 65000}) {
     CHECK(Download(startMs).plays("silence") == "list, 1500 list (4 times), 1500 NoAnswer");

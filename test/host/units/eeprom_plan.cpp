@@ -167,7 +167,7 @@ struct Keeper {
     kept = EepromPlan(memory, first, part);
     kept.begin();
   }
-  // Which plan is there behind each event: stores N; erases; resets: the board begins anew, "busy" if it has to write
+  // Which plan is there after each event: stores N; erases; resets: the board begins anew, "busy" if it has to write
   // then; settles: until it is no longer. "stuck N": byte N does not change any more.
   std::string plays(const std::string& script) {
     Transcript said;
@@ -185,7 +185,7 @@ struct Keeper {
       if (event.is("resets")) {
         reset();
       } else {
-        event.is("settles");  // as behind every event but a reset
+        event.is("settles");  // as after every event but a reset
         settle(kept);
       }
       said.note(tells(kept) + (kept.isBusy() ? " busy" : ""));
@@ -195,7 +195,7 @@ struct Keeper {
 };
 
 // What the last event leaves when the power goes at each of its writes, in each way, must be the plan from before or
-// the one from behind it, and stay so.
+// the one from after it, and stay so.
 void cutEverywhere(const std::string& before, const std::string& last) {
   CAPTURE(before);
   Keeper uncut;

@@ -87,7 +87,7 @@ TEST_CASE("a memory that was never written has no time") {
   }
 }
 
-TEST_CASE("a time lies in its slot with its lowest byte first, and its checksum behind it") {
+TEST_CASE("a time lies in its slot with its lowest byte first, and its checksum after it") {
   fresh();
   EepromTimestamps store(memory(), kFirst, kSlots);
   CHECK(store.load(store.context) == 0);
@@ -98,7 +98,7 @@ TEST_CASE("a time lies in its slot with its lowest byte first, and its checksum 
   CHECK(EepromTimestamps::bytes(8) == 48);
 }
 
-TEST_CASE("each time is written into the next slot, and behind the last one into the first") {
+TEST_CASE("each time is written into the next slot, and after the last one into the first") {
   for (bool isLoadedAnew : {false, true}) {
     fresh();
     EepromTimestamps once(memory(), kFirst, kSlots);
@@ -116,7 +116,7 @@ TEST_CASE("each time is written into the next slot, and behind the last one into
   }
 }
 
-TEST_CASE("what lies behind the last slot is nobody's time, and a memory that was wiped begins with the first one") {
+TEST_CASE("what lies after the last slot is nobody's time, and a memory that was wiped begins with the first one") {
   fresh();
   EepromTimestamps store(memory(), kFirst, kSlots);
   store.load(store.context);

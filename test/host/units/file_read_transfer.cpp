@@ -107,12 +107,12 @@ TEST_CASE("the middle of a hole is not taken, its ends are") {
   CHECK(reading.plays("item 2, item 1, item 5") == "close");
 }
 
-TEST_CASE("there is room for 4 holes; what lies behind a fifth is asked for again") {
+TEST_CASE("there is room for 4 holes; what lies after a fifth is asked for again") {
   CHECK(bursting(40).plays("item 1, item 3, item 5, item 7, item 9, item 8, item 9, burst ends") ==
         "unused 9, too slow, item 0");
 }
 
-TEST_CASE("where the order matters nothing behind a lost item is taken, and another burst brings it") {
+TEST_CASE("where the order matters nothing after a lost item is taken, and another burst brings it") {
   CHECK(bursting(20, false).plays("item 0, item 2 to 19, burst ends") == "unused 2 to 19, burst 1");
 }
 
@@ -140,7 +140,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("pieces of a burst show that the answer to a request behind it is still to come") {
+TEST_CASE("pieces of a burst show that the answer to a request after it is still to come") {
   CHECK(bursting(20, false).plays("item 0, wait 240, item 2, wait 240, item 3, wait 249") ==
         "240 unused 2, 240 unused 3");
 }

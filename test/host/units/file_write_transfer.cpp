@@ -27,7 +27,7 @@ class Writing : public Player {
   bool isSlow_ = false;
   uint16_t sequence_ = 0;
 
-  // Each request leaves behind its number.
+  // Each request leaves after its number.
   // answer N: to the request with this number; line slow: what leaves from here on is not all gone before "left"
   // written: notes how many items have been
   void happens(const Event& event) override {

@@ -162,7 +162,7 @@ TEST_CASE("a disagreement is given up to 65535 %, and one without end is the sam
 
 TEST_CASE("a number that is none, or below 0, is left out") {
   Desk desk(ClientOnLine::kPx4);
-  uint32_t bits = 0x7F800001;  // the first one behind infinity
+  uint32_t bits = 0x7F800001;  // the first one after infinity
   float first;
   memcpy(&first, &bits, sizeof(first));
   CHECK((desk.status({first, kNan, -5.0f, 0.25f}) == FitReason::AllWell));

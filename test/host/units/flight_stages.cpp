@@ -17,7 +17,7 @@ const char* const kStates[] = {"idle", "preparing", "notready", "flying", "atsto
 const char* const kEnders[] = {"nobody", "itself", "sketch", "pilot", "failsafe", "other", "refusal", "silence"};
 const char* const kOrders[] = {"", "upload", "start", "takeoff", "goto", "home", "land", "disarm"};
 
-// The words of a conversation, one behind the other. `beat`: a second passes, and a heartbeat comes; with a number, so
+// The words of a conversation, one after the other. `beat`: a second passes, and a heartbeat comes; with a number, so
 // many. What ends with ! is a change of what the aircraft shows. `=Status`: the running operation ends. What begins
 // with > must be what is begun now; any other word must be the state, with a slash and who has ended it.
 struct Talk {
@@ -134,7 +134,7 @@ std::string differs(const std::string& conversation) {
 
 }  // namespace
 
-TEST_CASE("each conversation of a flight ends as it says, and nothing is begun behind a person") {
+TEST_CASE("each conversation of a flight ends as it says, and nothing is begun after a person") {
   static const char* const kTalks[] = {
       // A plan, and a second one.
       AIRBORNE "over! disarmed! beat landed beat9 > landed",

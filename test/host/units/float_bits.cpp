@@ -124,7 +124,7 @@ TEST_CASE("a quotient is the nearest float, or one of two equally near") {
   }
 }
 
-TEST_CASE("the whole part of a number is without what is behind the point") {
+TEST_CASE("the whole part of a number is without what is after the point") {
   for (int i = 0; i < 100000; ++i) {
     const float value = fromBits(random32());
     if (kindOf(&value) != FloatKind::Finite) continue;

@@ -54,7 +54,7 @@ FrameParts requestOfVersion(uint8_t version, uint16_t item) {
   return parts;
 }
 
-// What a fresh parser finds in these bytes, behind "|" in the silence after them, and what it has counted.
+// What a fresh parser finds in these bytes, after "|" in the silence after them, and what it has counted.
 std::string told(const Bytes& bytes) {
   ParserUnderTest under;
   std::string text = textOf(under.take(bytes));
@@ -68,7 +68,7 @@ std::string told(const Bytes& bytes) {
   return text;
 }
 
-// What is wanted there and in two requests behind it.
+// What is wanted there and in two requests after it.
 std::string behind(const Bytes& bytes) { return wantedIn(bytes + request(1) + telemetry() + request(2)); }
 
 const char* const kBoth = "request 1, request 2";
@@ -231,7 +231,7 @@ TEST_CASE("a frame is for its target, for everyone where a target is 0, and for 
   CHECK(parser.parser().isFor(1, 191));
 }
 
-TEST_CASE("a signed frame is given, wanted or not, its signature is stepped over, and the next one begins behind it") {
+TEST_CASE("a signed frame is given, wanted or not, its signature is stepped over, and the next one begins after it") {
   const Bytes frame = signedOf(requestParts(4));
   for (unsigned fill : {0x00u, 0x5Au, 0xFDu, 0xFEu}) {
     const Bytes filled = part(frame, 0, frame.size() - 13) + Bytes(13, static_cast<uint8_t>(fill));
@@ -282,7 +282,7 @@ TEST_CASE("what is given up is told as nothing, and counted once") {
   CHECK(told(noise + request(1) + noise + request(2) + noise) == "request 1, request 2; skipped 48");
 }
 
-TEST_CASE("a message that carries bytes of others is told once, behind its end, and a frame among its data is data") {
+TEST_CASE("a message that carries bytes of others is told once, after its end, and a frame among its data is data") {
   CHECK(told(telemetry() + tunnelAround(Bytes(9, 0x11) + request(66) + Bytes(30, 0x11))) == "other | other");
   for (size_t filled = 0; filled < 60; ++filled) {
     const Bytes carrier = tunnelAround(Bytes(filled, 0x11) + request(66) + Bytes(7, 0x11));
@@ -303,7 +303,7 @@ TEST_CASE("an id of more than 16 bits is not that of a wanted message") {
   CHECK(told(packed(parts) + request(5)) == "other, request 5");
 }
 
-TEST_CASE("a stepped-over frame behind which none begins is counted as broken, once") {
+TEST_CASE("a stepped-over frame after which none begins is counted as broken, once") {
   const Bytes telemetry33 = telemetry(28, 0x33);
   CHECK(told(with(1, 20, telemetry33) + request(1)) == "request 1; broken 1; skipped 8");
   // A wanted frame that is found inside another ends that one.
@@ -312,7 +312,7 @@ TEST_CASE("a stepped-over frame behind which none begins is counted as broken, o
 }
 
 TEST_CASE(
-    "what looks like a beginning in the last bytes of a telemetry frame is no lost byte, silence behind it or not") {
+    "what looks like a beginning in the last bytes of a telemetry frame is no lost byte, silence after it or not") {
   for (uint8_t magic : {0xFD, 0xFE}) {
     for (size_t fromEnd = 0; fromEnd < 8; ++fromEnd) {
       const Bytes frame = telemetryAround(with(11 - fromEnd, magic, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
@@ -330,7 +330,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("two frames are found behind each number of lost bytes at each position of a telemetry frame") {
+TEST_CASE("two frames are found after each number of lost bytes at each position of a telemetry frame") {
   const Bytes before = telemetry(28, 0x33);
   for (size_t count = 1; count < before.size(); ++count) {
     for (size_t from = 0; from + count <= before.size(); ++from) {
@@ -341,7 +341,7 @@ TEST_CASE("two frames are found behind each number of lost bytes at each positio
   }
 }
 
-TEST_CASE("a frame behind or inside one with a damaged length is found, however long that says to be") {
+TEST_CASE("a frame after or inside one with a damaged length is found, however long that says to be") {
   for (unsigned length = 0; length <= 255; ++length) {
     CAPTURE(length);
     CHECK(wantedIn(with(1, length, telemetry(28, 0x33)) + request(1) + telemetry() + request(2) + telemetry() +
@@ -372,8 +372,8 @@ TEST_CASE("a frame of any sequence, version and length that begins inside one wi
   }
 }
 
-TEST_CASE("a frame is found behind bytes that begin like one, at the end of a telemetry frame") {
-  // Each tail of a header, complete with the bytes of the real frame behind it, could swallow that frame's first bytes.
+TEST_CASE("a frame is found after bytes that begin like one, at the end of a telemetry frame") {
+  // Each tail of a header, complete with the bytes of the real frame after it, could swallow that frame's first bytes.
   const Bytes heads[] = {{0xFD, 0xFF, 0, 0, 0x36, 1, 1, 0x6A, 0, 0}, {0xFE, 0xFF, 0x36, 1, 1, 0x1E}};
   for (const Bytes& head : heads) {
     for (size_t shown = 1; shown < head.size(); ++shown) {
@@ -396,7 +396,7 @@ TEST_CASE("a frame that lacks its first byte is none, wherever it lies") {
   CHECK(wantedIn(telemetry() + telemetryAround(headless) + request(1)) == "request 1");
   CHECK(wantedIn(telemetry() + tunnelAround(request(67) + headless) + request(1)) == "request 1");
   CHECK(wantedIn(request(5) + headless + request(1)) == "request 5, request 1");
-  // Its header is the last data of a message that carries bytes of others, the rest lies behind that one.
+  // Its header is the last data of a message that carries bytes of others, the rest lies after that one.
   const Bytes carrier = tunnelAround(request(67) + part(request(66, 8), 1, 10));
   FrameParts across = requestParts(0);
   across.sequence = 8;
@@ -406,8 +406,7 @@ TEST_CASE("a frame that lacks its first byte is none, wherever it lies") {
   CHECK(wantedIn(telemetry() + carrier + rest + request(1)) == "request 1");
 }
 
-TEST_CASE(
-    "a frame is found behind stray bytes that look like the beginning of one, each of which is given up in turn") {
+TEST_CASE("a frame is found after stray bytes that look like the beginning of one, each of which is given up in turn") {
   for (uint8_t magic : {0xFD, 0xFE}) {
     for (size_t count = 1; count < 300; ++count) {
       CAPTURE(int(magic));
@@ -420,7 +419,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a frame behind what looks like a carrier only because of damage is taken") {
+TEST_CASE("a frame after what looks like a carrier only because of damage is taken") {
   // Between frames, but not where one is due: these are the last bytes of a frame whose first were lost.
   const Bytes data = {0x12, 0xFE, 0x7F, 0x3F, 0x51, 0x5C, 123};
   CHECK(behind(telemetry() + data) == kBoth);
@@ -440,7 +439,7 @@ TEST_CASE("a frame cut short is given up in silence, and the next one taken") {
   }
 }
 
-TEST_CASE("silence gives what lies behind damage, and a whole telemetry frame; a part of one is counted as broken") {
+TEST_CASE("silence gives what lies after damage, and a whole telemetry frame; a part of one is counted as broken") {
   // A wanted header promises 38 bytes; only a request follows.
   CHECK(told(Bytes{0xFD, 38, 0, 0, 0, 1, 1, 51, 0, 0} + request(1)) == " | request 1; skipped 10");
   CHECK(told(telemetry()) == " | other");
@@ -450,7 +449,7 @@ TEST_CASE("silence gives what lies behind damage, and a whole telemetry frame; a
   }
 }
 
-TEST_CASE("the longest frame that is kept fills the buffer, and what waits behind it fits") {
+TEST_CASE("the longest frame that is kept fills the buffer, and what waits after it fits") {
   // A wanted header with the greatest length, a wrong checksum, and beginnings of more of them inside.
   Bytes nested;
   while (nested.size() < MAVMISSION_MAX_PAYLOAD)

@@ -48,13 +48,13 @@ void standStill(Aircraft& aircraft, size_t bufferBytes, uint32_t ms) {
 
 }  // namespace
 
-TEST_CASE("no order leaves behind what waited while loop() stood still, however long, in a buffer of any size") {
+TEST_CASE("no order leaves after what waited while loop() stood still, however long, in a buffer of any size") {
   for (uint8_t firmware : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
     const bool isPx4 = firmware == ClientOnLine::kPx4;
     for (const Order& order : kOrders) {
       for (size_t buffer : {63, 255, 511, 1023}) {
         for (uint32_t ms : {250u, 700u, 3000u, 65536u, 131072u, 600000u}) {
-          for (int beginsMs : {-1, 0, 5, 20}) {  // before the standstill; -1: behind it
+          for (int beginsMs : {-1, 0, 5, 20}) {  // before the standstill; -1: after it
             CAPTURE(order.name);
             CAPTURE(isPx4);
             CAPTURE(buffer);
@@ -90,7 +90,7 @@ TEST_CASE("no order leaves behind what waited while loop() stood still, however 
   }
 }
 
-TEST_CASE("what a heartbeat shows behind a standstill decides: a pilot keeps what he has taken") {
+TEST_CASE("what a heartbeat shows after a standstill decides: a pilot keeps what he has taken") {
   for (const Order& order : kOrders) {
     if (!order.flies || std::string(order.name) == "send" || std::string(order.name).find("set") == 0) continue;
     for (uint32_t ms : {250u, 3000u, 65536u}) {
@@ -110,7 +110,7 @@ TEST_CASE("what a heartbeat shows behind a standstill decides: a pilot keeps wha
   }
 }
 
-TEST_CASE("behind a standstill in which nothing has happened an order is carried out") {
+TEST_CASE("after a standstill in which nothing has happened an order is carried out") {
   for (uint32_t ms : {250u, 3000u, 65536u}) {
     CAPTURE(ms);
     Aircraft aircraft(ClientOnLine::kArduPilot);

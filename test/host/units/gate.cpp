@@ -1,4 +1,4 @@
-// The gate: whatever takes an aircraft, arms it or lets its motors start leaves right behind a heartbeat, each time.
+// The gate: whatever takes an aircraft, arms it or lets its motors start leaves right after a heartbeat, each time.
 #include <doctest/doctest.h>
 
 #include <functional>

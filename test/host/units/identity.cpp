@@ -74,7 +74,7 @@ uint8_t targetOf(const SentFrame& sent) {
 // An autopilot that takes plans, beside whom others may be heard.
 struct Line : ClientOnLine {
   Device ours = kOurs;
-  std::vector<Device> heard = {kOurs};  // whose heartbeats come, each second
+  std::vector<Device> heard = {kOurs};  // their heartbeats come every second
   uint16_t items = 0;
 
   Line() : ClientOnLine(kArduPilot) { beats = false; }
@@ -229,7 +229,7 @@ TEST_CASE("another autopilot, or a restart, ends what runs, and all that was kno
   }
 }
 
-TEST_CASE("behind one heartbeat that shows another vehicle nothing is sent until the next one, and then it goes on") {
+TEST_CASE("after one heartbeat that shows another vehicle nothing is sent until the next one, and then it goes on") {
   Line line;
   line.pass(3000);
   line.client.upload(inRam(kPlan));

@@ -42,7 +42,7 @@ void append(std::string& list, uint32_t number, const std::string& word = "") {
 struct Desk : ClientOnLine {
   LinkDoctor doctor;
   const uint32_t beganMs;
-  std::string history;  // each change of the verdict, behind the milliseconds since the beginning
+  std::string history;  // each change of the verdict, after the milliseconds since the beginning
   std::string opened;   // the rates that were opened, in the same way
   std::string own;      // who sends what, of the doctor's own messages: each that is another one than the last
 
@@ -57,7 +57,7 @@ struct Desk : ClientOnLine {
 
   uint32_t sinceMs() const { return nowMs() - beganMs; }
 
-  // As loop() does, each `step` ms. The peer's messages come behind that.
+  // As loop() does, every `step` ms. The peer's messages come after that.
   Desk& pass(uint32_t ms, uint32_t step = 1) {
     for (; ms != 0; ms -= step) turn(step);
     return *this;
@@ -112,7 +112,7 @@ struct Desk : ClientOnLine {
     }
     return *this;
   }
-  // So many frames that nobody wants, each 10 ms, or with this pause behind each.
+  // So many frames that nobody wants, one every 10 ms, or with this pause after each.
   Desk& chatter(uint32_t count, const Who& who = kCopter, uint32_t pauseMs = 0) {
     for (; count != 0; --count) {
       hear(partsOf(who));
@@ -303,7 +303,7 @@ TEST_CASE("each rate is listened to for 3 s, the own one for 4, and all of them 
   CHECK(desk.doctor.baud() == 115200);
   // Heartbeats leave at the own rate alone: at another one they would be garbage to the other end.
   CHECK(desk.heartbeats() == "1, 1001, 2001, 27001, 28001, 29001, 30001");
-  Desk own;  // one that no list has comes back behind all nine others
+  Desk own;  // one that no list has comes back after all nine others
   CHECK(own.tryBauds(100000).text().pass(31000).told() == "3000 TryingBauds, 30000 NoFramesAtAnyBaud");
   CHECK(own.opened ==
         "3000 57600, 6000 115200, 9000 921600, 12000 38400, 15000 230400, 18000 460800, 21000 500000, 24000 19200, "

@@ -131,7 +131,7 @@ TEST_CASE("half a turn is 180 degrees to the last digit, to either side") {
 }
 
 TEST_CASE("how fast an aircraft turns does not matter to its attitude") {
-  // What lies behind the listener's own bytes stays as it is.
+  // What lies after the listener's own bytes stays as it is.
   struct Guarded : AttitudeListener {
     uint8_t behind = 0x5A;
     Guarded(MissionClient& client, uint16_t intervalMs) : AttitudeListener(client, intervalMs) {}

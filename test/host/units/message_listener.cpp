@@ -77,7 +77,7 @@ TEST_CASE("a message of the sketch's own is given as it lies on the wire, from a
 }
 
 TEST_CASE(
-    "a message of the sketch's own leaves behind an autopilot's heartbeat, and where MAVLink 1 has none it does not") {
+    "a message of the sketch's own leaves after an autopilot's heartbeat, and where MAVLink 1 has none it does not") {
   const uint8_t payload[] = {1, 2, 3};
   for (MavlinkVersion version : {MavlinkVersion::Version1, MavlinkVersion::Version2}) {
     Desk desk;

@@ -71,7 +71,7 @@ struct Desk : ClientOnLine {
     mavlink_statustext_t message = mavlink_statustext_t();
     message.severity = severity;
     memcpy(message.text, words.data(), words.size());
-    message.id = 0x4141;  // lies behind the text
+    message.id = 0x4141;  // lies after the text
     tell(MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC, message, systemId);
   }
   // The answer to another station's download or upload.
@@ -145,7 +145,7 @@ struct Desk : ClientOnLine {
     return client.aboard() == Aboard::OurPlan ? "ours" : client.aboard() == Aboard::OtherPlan ? "another" : "not known";
   }
 
-  // What is heard, one behind the other: "ours, theirs of 3, ack theirs fence, says words". Whose plan it is behind
+  // What is heard, one after the other: "ours, theirs of 3, ack theirs fence, says words". Whose plan it is after
   // each.
   std::string hears(const std::string& script) {
     std::string story;
@@ -249,7 +249,7 @@ TEST_CASE("heartbeats that come more often do not bring a second request before 
   CHECK(desk.requests(fromMs) == "202 1702");
 }
 
-TEST_CASE("a request that has no room waits for the next heartbeat behind that") {
+TEST_CASE("a request that has no room waits for the next heartbeat after that") {
   Desk desk;
   desk.run(500);
   const uint32_t fromMs = desk.nowMs() - 500;
@@ -318,7 +318,7 @@ TEST_CASE("the current item, the total and the state are those of the last MISSI
   }
 }
 
-TEST_CASE("home is no item, and the one behind it is told again") {
+TEST_CASE("home is no item, and the one after it is told again") {
   Desk desk(kArduPilot);
   desk.run(3500);
   desk.current(1);
@@ -396,7 +396,7 @@ TEST_CASE("an item is reached once, however often PX4 says so, and again when it
   }
 }
 
-TEST_CASE("in flight an item that is behind is told once, in order, whatever was lost") {
+TEST_CASE("in flight an item that lies behind is told once, in order, whatever was lost") {
   const struct {
     bool isArmed;
     std::initializer_list<uint16_t> messages;
@@ -440,7 +440,7 @@ TEST_CASE("items that a command of the client's leaves out are not told of as re
   CHECK(desk.reacheds == "5");
 }
 
-TEST_CASE("each text is given with its severity, and ends behind 50 characters") {
+TEST_CASE("each text is given with its severity, and ends after 50 characters") {
   Desk desk;
   desk.run(3500);
   desk.say("first", 2);
@@ -454,11 +454,11 @@ TEST_CASE("each text is given with its severity, and ends behind 50 characters")
 
 TEST_CASE("PX4 names our plan, and another name is another plan's") {
   const struct {
-    const char *before, *heard, *story;  // before our upload, and behind it
+    const char *before, *heard, *story;  // before our upload, and after it
   } kCases[] = {
       {"", "ours, ours, ours, ours, ours, theirs, theirs, ours", "ours ours ours ours ours another another ours"},
       {"", "ours, unnamed, theirs", "ours ours another"},
-      // An older name may come up to three times behind the acceptance...
+      // An older name may come up to three times after the acceptance...
       {"theirs", "theirs, ours, theirs", "ours ours another"},
       {"theirs", "theirs, theirs, theirs, ours, theirs", "ours ours ours ours another"},
       {"theirs", "theirs, theirs, theirs, theirs, ours, theirs", "ours ours ours another ours another"},
@@ -512,7 +512,7 @@ TEST_CASE("ArduPilot's total is that of our plan, or it is another one when it s
       {"total 5", "total 5, total 3, total 3, total 3", "ours ours another another"},
       {"total 5", "total 5, total 2, total 3, total 3", "ours ours ours another"},
       {"total 5", "total 5, total 5, total 5, total 3, total 3", "ours ours ours another another"},
-      // One that comes before the state is known counts when it comes twice behind that.
+      // One that comes before the state is known counts when it comes twice after that.
       {"", "total 2, total 3 unknown, total 3, total 3", "ours ours ours another"},
       // Nothing is infeasible here.
       {"", "total 2 no mission, total 2 no mission, total 2 no mission", "ours ours ours"},

@@ -40,7 +40,7 @@ TEST_CASE("a foreign mode stays where no order can be under way any more") {
   CHECK((made.onHeartbeat(kForeign, true, false) == Sight::Foreign));
 }
 
-TEST_CASE("once the wanted mode was seen behind the order, the mode of before is foreign") {
+TEST_CASE("once the wanted mode was seen after the order, the mode of before is foreign") {
   ModeOrder made = order();
   CHECK((made.onHeartbeat(kWanted, false, false) == Sight::Wanted));  // before the order has left
   CHECK((made.onHeartbeat(kFrom, false, false) == Sight::Before));

@@ -46,7 +46,7 @@ struct Follower : Aircraft {
     if (renews && nowMs() % 50 == 0) renewed = target.renew(place, altitude);
   }
 
-  // What happens, one behind the other.
+  // What happens, one after the other.
   Follower& inMission() {
     fly(type == 10 ? uint32_t{kRoverAuto} : isPx4() ? uint32_t{kPx4Mission} : uint32_t{kAuto});
     return *this;
@@ -387,7 +387,7 @@ TEST_CASE("a start() that is stopped, not renewed, or cancelled before it is fol
 TEST_CASE("a heartbeat with another mode, a failsafe, or no arms ends the following at once, and says who has it") {
   const struct {
     uint8_t firmware;
-    uint32_t mode;  // that is shown
+    uint32_t mode;  // what it shows
     bool isArmed;
     uint8_t state;
     Status status;  // Transferring: it is followed
@@ -420,7 +420,7 @@ TEST_CASE("a heartbeat with another mode, a failsafe, or no arms ends the follow
     CHECK(aircraft.said() == "");
     CHECK(aircraft.told() == "goes on");
   }
-  // What loop() hears last decides: a stop() behind a pilot's heartbeat is the pilot's.
+  // What loop() hears last decides: a stop() after a pilot's heartbeat is the pilot's.
   Follower copter;
   copter.follow(20_m, 1000).mode = kLoiter;
   copter.beat();
@@ -473,7 +473,7 @@ TEST_CASE("loop() that has stood still for 0.6 s sends nothing until a new heart
   }
 }
 
-TEST_CASE("an aircraft at a place is not known to be there behind a standstill, nor when it is followed") {
+TEST_CASE("an aircraft at a place is not known to be there after a standstill, nor when it is followed") {
   for (bool isStill : {true, false}) {
     Follower copter;
     copter.inMission().homeMm = 20000;
@@ -671,7 +671,7 @@ TEST_CASE("a MovingTarget in memory that was used before begins like any other")
   }
 }
 
-TEST_CASE("PX4's second of targets begins anew behind a gap of 0.6 s") {
+TEST_CASE("PX4's second of targets begins anew after a gap of 0.6 s") {
   Follower px4(ClientOnLine::kPx4);
   px4.inMission().start(aboveSeaLevel(620_m));
   while (px4.messages().size() < 3) px4.pass(1);
@@ -701,7 +701,7 @@ TEST_CASE("PX4's mode is due when the first target left 1000 ms ago: then a hear
 }
 
 TEST_CASE("PX4's mode is not ordered when the last target left 600 ms ago") {
-  for (uint32_t gapMs : {599, 600}) {  // it leaves in the update() behind the heartbeat
+  for (uint32_t gapMs : {599, 600}) {  // it leaves in the update() after the heartbeat
     CAPTURE(gapMs);
     Follower px4(ClientOnLine::kPx4);
     px4.inMission().start(aboveSeaLevel(620_m));
@@ -733,7 +733,7 @@ TEST_CASE("an answer to a heartbeat's request is none to the sketch's own reques
   CHECK((copter.wait(3).ended == Status::Done));
 }
 
-TEST_CASE("an order that asks for a heartbeat waits 100 ms behind the target's request, too") {
+TEST_CASE("an order that asks for a heartbeat waits 100 ms after the target's request, too") {
   Follower copter;
   copter.follow(20_m, 1000).silence().beat();
   copter.asks = 0;

@@ -214,7 +214,7 @@ TEST_CASE("a ring that fills up twice for a while each time is never written to 
   CHECK(stream.written.size() == 5);
 }
 
-TEST_CASE("a frame on a lossy link goes out behind zeros, however little room there is at a time") {
+TEST_CASE("a frame on a lossy link goes out after zeros, however little room there is at a time") {
   mavlink_mission_count_t message = mavlink_mission_count_t();
   message.count = 5;
   const Bytes frame = sent(message, 2, 7, 1, 191);

@@ -116,7 +116,7 @@ TEST_CASE("a frame that just fits a packet leaves, and one that is longer is lef
   CHECK(radio.unsent() == 1);
 }
 
-TEST_CASE("a frame that is longer than a packet is left out behind one that waits, too") {
+TEST_CASE("a frame that is longer than a packet is left out after one that waits, too") {
   Radio<40> radio;
   radio.isBusy = true;
   CHECK(put(radio, request(1) + telemetry(60) + request(2)) == 2 * request(1).size() + telemetry(60).size());

@@ -66,7 +66,7 @@ struct Desk : ClientOnLine {
     return pass(5);
   }
 
-  // What has left since the last look, each behind the milliseconds since the one before, to 10, and how it has ended.
+  // What has left since the last look, each after the milliseconds since the one before, to 10, and how it has ended.
   // "set -7 (6)": to this value, with this type.
   std::string did() {
     Transcript said;
@@ -127,7 +127,7 @@ TEST_CASE("a parameter is asked for by its name, and its value is what comes") {
   CHECK(desk.parameters.value() == 57);
   CHECK(desk.parameters.whole() == 57);
   CHECK(desk.parameters.isWhole());
-  // What comes behind that is nobody's.
+  // What comes after that is nobody's.
   desk.says(kInt32, 58, "SERIAL1_BAUD");
   CHECK(desk.parameters.value() == 57);
 }

@@ -40,7 +40,7 @@ struct Carrier : ClientOnLine {
   }
 
   // What is carried out, "winch 1", and what is answered, "accepted", "in progress 40", "failed to 1/1" if not to the
-  // station; each behind the milliseconds since the one before. When this happens:
+  // station; each after the milliseconds since the one before. When this happens:
   // winch N, gripper N: the station orders that, with this first parameter; again: for the second time
   // wait N: N ms pass, as in loop()
   // gives X: what the function returns from now on; progress N, finish X: the sketch says so
@@ -188,7 +188,7 @@ TEST_CASE("a command to all components is answered unless this payload has no su
   CHECK(Carrier(false).plays("winch 1") == "unsupported");  // without a function there is none
 }
 
-TEST_CASE("a repeat gets the same answer, and is not carried out, up to 5 s behind the answer") {
+TEST_CASE("a repeat gets the same answer, and is not carried out, up to 5 s after the answer") {
   Carrier carrier;
   CHECK(carrier.plays(
             "wait 500, gives failed, winch 1, gives accepted, wait 2999, winch again 1, wait 1996, winch again 1") ==
@@ -225,7 +225,7 @@ TEST_CASE("a command in progress tells how far it is once a second, and how it h
   CHECK(carrier.plays("winch 1") == "winch 1, in progress");  // it begins at 0 again
 }
 
-TEST_CASE("a repeat behind a long command still gets its end, and only for 5 s from then on") {
+TEST_CASE("a repeat after a long command still gets its end, and only for 5 s from then on") {
   Carrier carrier;
   carrier.plays("gives in progress, winch 1, wait 7500, finish accepted");
   const uint32_t finishedMs = carrier.nowMs();

@@ -99,7 +99,7 @@ TEST_CASE("a landing target as a position is valid, not turned, and no message o
   CHECK(isSentAs(target, 149, 200, 60, 0));
 }
 
-TEST_CASE("a value has up to 10 characters of its name, without a zero behind the tenth") {
+TEST_CASE("a value has up to 10 characters of its name, without a zero after the tenth") {
   setMillis(kNowMs);
   NamedValue value("0123456789cut");
   mavlink_named_value_float_t wanted = mavlink_named_value_float_t();

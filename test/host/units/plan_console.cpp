@@ -117,7 +117,7 @@ TEST_CASE("it never writes more than the port takes, and a byte each time, after
   CHECK(slow.port.largestWrite == 1);
 }
 
-TEST_CASE("an item for which there is no room yet is not lost: what comes behind it waits in the port") {
+TEST_CASE("an item for which there is no room yet is not lost: what comes after it waits in the port") {
   Desk desk;
   CHECK(has(desk.answer(loading(9), 6000), "9\r\nstored: list prints it\r\n"));
   REQUIRE(desk.plan.count() == 9);
@@ -142,7 +142,7 @@ TEST_CASE("a text is refused when the port's ring was full in its midst, and onl
   CHECK(desk.plan.count() == 1);
 }
 
-TEST_CASE("a command behind end or erase waits until the EEPROM is written") {
+TEST_CASE("a command after end or erase waits until the EEPROM is written") {
   const struct {
     const char *command, *said;
   } kCases[] = {{"upload", ""}, {"verify", ""}, {"list", "3\t0\t3\t16"}, {"status", "stored: items 3"}};
@@ -159,7 +159,7 @@ TEST_CASE("a command behind end or erase waits until the EEPROM is written") {
   }
 }
 
-TEST_CASE("an upload behind a download sends what was downloaded, whenever it is typed") {
+TEST_CASE("an upload after a download sends what was downloaded, whenever it is typed") {
   for (uint32_t afterMs = 0; afterMs < 60; afterMs += 3) {
     Desk desk(1, true);
     desk.type("download\n");
@@ -176,7 +176,7 @@ TEST_CASE("an upload behind a download sends what was downloaded, whenever it is
   }
 }
 
-TEST_CASE("what is pasted behind a file that came during a download is not done with what was downloaded") {
+TEST_CASE("what is pasted after a file that came during a download is not done with what was downloaded") {
   Desk desk(1, true);
   desk.type("download\nload\n" + fileOf(2));
   desk.giveItems(3);
@@ -246,7 +246,7 @@ TEST_CASE("help names each command, and status says what the autopilot does and 
   CHECK(desk.answer("status\n") == "PX4, disarmed\r\nidle\r\naboard: not known\r\nstored: items 1\r\n");
 }
 
-TEST_CASE("what is pasted behind a load that failed is not done with the plan before") {
+TEST_CASE("what is pasted after a load that failed is not done with the plan before") {
   const std::string bad = kHead + "1 0 3 16 x\n";
   for (const std::string& load : {"load\n" + bad + "end\n", bad + "end\n", std::string("load\nend\n")}) {
     for (const char* command : {"upload\n", "verify\n", "start\n"}) {

@@ -11,7 +11,7 @@ constexpr int kSilent = FilePilot::kUnheard;
 constexpr uint8_t kOpen = FilePilot::kOpen, kBurst = FilePilot::kBurst;
 constexpr uint8_t kCreate = FilePilot::kCreate, kWrite = FilePilot::kWrite, kClose = FilePilot::kTerminate;
 
-// Found or behind a reset, with our plan aboard.
+// Found or after a reset, with our plan aboard.
 struct Pilot : FilePilot {
   explicit Pilot(bool isFound = true) {
     has(kFourItems);
@@ -47,7 +47,7 @@ TEST_CASE("an answer to another session, or to another component, closes nothing
 }
 
 TEST_CASE("a file without a header that could be spoilt is only closed") {
-  // No file was open behind a reset.
+  // No file was open after a reset.
   for (int error : {int{FilePilot::kInvalidSession}, int{FilePilot::kFileNotFound}}) {
     Pilot pilot(false);
     pilot.answering(kWrite, error).settle().answering(kCreate, kSilent).upload(kFourItems).until("create").cancel();
@@ -68,7 +68,7 @@ TEST_CASE("a file without a header that could be spoilt is only closed") {
   CHECK(refused.says(3000) == "close");
 }
 
-TEST_CASE("what is closed behind a reset has the session's own number, is spoilt once, and closed until answered") {
+TEST_CASE("what is closed after a reset has the session's own number, is spoilt once, and closed until answered") {
   Pilot pilot(false);
   pilot.answering(kClose, kSilent).until("write 0+10");
   CHECK(pilot.session == static_cast<uint8_t>((1 * 31) ^ 191 ^ 0x5A));

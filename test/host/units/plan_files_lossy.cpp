@@ -73,7 +73,7 @@ TEST_CASE("where the line begins to lose while the file is read back, the same p
   }
 }
 
-TEST_CASE("a plan behind one that was damaged is proven as any other") {
+TEST_CASE("a plan after one that was damaged is proven as any other") {
   Pilot pilot;
   pilot.losing().said();
   pilot.damages(3).upload(kFourItems).until("upload items").cancel().says(100);
@@ -150,7 +150,7 @@ TEST_CASE("an upload that a damaged plan leads to reads as many bytes in an upda
   CHECK(most[2] == most[0]);
 }
 
-TEST_CASE("an error behind an earlier upload, in doubt whether it was a refusal, says nothing about the next one") {
+TEST_CASE("an error after an earlier upload, in doubt whether it was a refusal, says nothing about the next one") {
   Pilot pilot;
   pilot.takenAs = 1;
   pilot.has({kOneHigher[0], kOneHigher[1]}).client.upload(FilePilot::sourceOf(kOneHigher));
@@ -158,7 +158,7 @@ TEST_CASE("an error behind an earlier upload, in doubt whether it was a refusal,
   CHECK(pilot.damages(3).upload(kFourItems).how() == "Differs item 2 Height by file, NotKnown: " + kProven);
 }
 
-TEST_CASE("behind a plan that was proven, nothing of an earlier transfer is waited for") {
+TEST_CASE("after a plan that was proven, nothing of an earlier transfer is waited for") {
   Pilot pilot;
   pilot.client.upload(FilePilot::sourceOf(kOneHigher));
   REQUIRE(pilot.passUntilSent(FilePilot::kItemInt));

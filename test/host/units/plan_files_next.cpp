@@ -1,4 +1,4 @@
-// What an operation of PlanFiles leaves behind: the next one begins as if there had been none.
+// What an operation of PlanFiles leaves: the next one begins as if there had been none.
 #include <doctest/doctest.h>
 
 #include "FilePilot.h"
@@ -34,13 +34,13 @@ TEST_CASE("each operation goes by no file until it has asked for one, and some d
   CHECK(armed.how() == "read items");
 }
 
-TEST_CASE("an upload behind an ensure() may change the plan of an armed autopilot, if that is allowed") {
+TEST_CASE("an upload after an ensure() may change the plan of an armed autopilot, if that is allowed") {
   Pilot pilot;
   pilot.ensure(kFourItems).how();
   CHECK(pilot.armed().wait(10).upload(kTwoItems).how() == "open mission, read 0+10, close, upload items");
 }
 
-TEST_CASE("an upload behind one to an armed autopilot gets no header when it is armed again meanwhile") {
+TEST_CASE("an upload after one to an armed autopilot gets no header when it is armed again meanwhile") {
   Pilot pilot;
   CHECK(pilot.armed().wait(10).upload(kFourItems).how().substr(0, 8) == "Accepted");
   pilot.baseMode = 0;
@@ -50,7 +50,7 @@ TEST_CASE("an upload behind one to an armed autopilot gets no header when it is 
         "Armed by file, AsBefore: create mission, write 10+190");
 }
 
-TEST_CASE("behind a look that was cancelled, all of the plan is verified, and item by item where there is no file") {
+TEST_CASE("after a look that was cancelled, all of the plan is verified, and item by item where there is no file") {
   Pilot counting;
   counting.armed().wait(10).upload(kFourItems).until("open").cancel().says(3000);
   CHECK(counting.verify(kFourItems).how() == "Differs item 2 Height by file, NotKnown: " + kFileRead);

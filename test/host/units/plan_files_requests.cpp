@@ -54,7 +54,7 @@ TEST_CASE("the session's number is none of those of ground stations, which are l
   }
 }
 
-TEST_CASE("behind the data of a request there are zeros") {
+TEST_CASE("after the data of a request there are zeros") {
   Pilot pilot;
   pilot.sent.clear();
   pilot.upload(kFourItems).how();
@@ -95,7 +95,7 @@ TEST_CASE("the items begin to leave in the update() that makes them") {
   pilot.upload(kFourItems).until("create").line.writes = 0;
   uint32_t ms = 0;
   for (; ms < 50 && pilot.line.writes == 0; ++ms) pilot.pass(1);
-  CHECK(ms == 7);  // the answer comes behind 5
+  CHECK(ms == 7);  // the answer comes after 5
 }
 
 TEST_CASE("progress is told of items of the plan alone, and while a plan for an armed autopilot is written, too") {
@@ -126,7 +126,7 @@ TEST_CASE("a plan that has too many items is not verified at all") {
 
 TEST_CASE("a request waits until another frame has left") {
   Pilot pilot;
-  REQUIRE(pilot.runUntilSent(0, 3000));  // our heartbeat, each second
+  REQUIRE(pilot.runUntilSent(0, 3000));  // our heartbeat, every second
   pilot.answering(FilePilot::kCreate, FilePilot::kUnheard).wait(700).upload(kFourItems);
   REQUIRE(pilot.passUntil("create", 250));
   pilot.line.room = 3;

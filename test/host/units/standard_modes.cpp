@@ -50,7 +50,7 @@ struct Flown : ClientOnLine {
     return *this;
   }
 
-  // What leaves but for requests of heartbeats, "order 7, ask mode, ask entry 3", each behind the milliseconds (to 10)
+  // What leaves but for requests of heartbeats, "order 7, ask mode, ask entry 3", each after the milliseconds (to 10)
   // since the one before if they are many, and how it ends, when this happens:
   // set N, read N: the operation begins; wait N: N ms pass; until order, until ask: that has left; end: it has ended
   // shows: a heartbeat; mode N, foreign N: CURRENT_MODE, of it or of another; entry N, strange N: the same of the list
@@ -200,7 +200,7 @@ TEST_CASE("each mode is ordered by its number, asked for, and done when it is sh
   }
 }
 
-TEST_CASE("it is done behind a heartbeat, so that the next order does not take the mode for somebody else's") {
+TEST_CASE("it is done after a heartbeat, so that the next order does not take the mode for somebody else's") {
   Flown flight;
   CHECK(flight.plays("set 7, until ask") == "order 7, ask mode");
   flight.beatsOnRequest = false;
@@ -212,7 +212,7 @@ TEST_CASE("it is done behind a heartbeat, so that the next order does not take t
   CHECK(flight.plays("set 2, end") == "order 2, ask mode, Done");
 }
 
-TEST_CASE("no heartbeat behind it leaves it unconfirmed") {
+TEST_CASE("no heartbeat after it leaves it unconfirmed") {
   Flown flight;
   flight.plays("set 7, until ask");
   const uint32_t fromMs = flight.nowMs();  // CURRENT_MODE and the answer come in the next millisecond

@@ -33,7 +33,7 @@ const struct {
 } kModes[] = {
     {"hold", FlightMode::Hold},  // in which it stands before start()
     {"guided", FlightMode::Guided}, {"manual", FlightMode::Manual},
-    {"auto", FlightMode::Auto},     {"rtl", FlightMode::ReturnToLaunch},  // which nobody has asked for
+    {"auto", FlightMode::Auto},     {"rtl", FlightMode::ReturnToLaunch},  // nobody has asked for this one
 };
 
 // start() on an aircraft, as the client runs it, with a plan of wire items.
@@ -158,7 +158,7 @@ struct Flown {
     const char* const kNames[] = {"mode", "first item", "arm", "start", "ask current", "disarm"};
     std::string said = kNames[static_cast<uint8_t>(start.message())];
     if (start.message() == Message::Mode) said += " " + nameOfMode(start.modeToSet());
-    // The client's gate lets an order leave right behind a heartbeat alone, and any other message without one.
+    // The client's gate lets an order leave right after a heartbeat alone, and any other message without one.
     const bool isOrder = start.message() != Message::FirstItem && start.message() != Message::AskCurrent;
     if (isOrder) sending.guard();
     CHECK(sending.lacksHeartbeat(static_cast<uint16_t>(aircraft.nowMs + 50)) == isOrder);
@@ -452,7 +452,7 @@ TEST_CASE("a rover, and an aircraft that was in the air, may have finished the f
   } kCases[] = {
       {kRover, false, 4, 2, "Judging, JudgingNext, Done (armed)"},
       {kRover, false, 4, 3, "Judging, JudgingNext, OtherItem (armed)"},
-      {kRover, false, 2, 3, "Judging, JudgingNext, OtherItem (armed)"},  // behind the last item there is no next one
+      {kRover, false, 2, 3, "Judging, JudgingNext, OtherItem (armed)"},  // after the last item there is no next one
       {kCopter, true, 4, 2, "Shown, Judging, JudgingNext, Done"},
       {kCopter, true, 4, 3, "Shown, Judging, JudgingNext, OtherItem"},
       {kCopter, false, 4, 2, "Shown, Judging, OtherItem (armed)"},
@@ -479,7 +479,7 @@ TEST_CASE("where the plan cannot be looked at, only the expected item is right")
 
 // A refusal, or silence
 
-TEST_CASE("a refusal or silence before anything was armed is the end; behind that, it is disarmed") {
+TEST_CASE("a refusal or silence before anything was armed is the end; after that, it is disarmed") {
   const struct {
     StartStep step;
     const char *answer, *leads;
@@ -594,7 +594,7 @@ TEST_CASE("a mode that start() has not set is somebody else's, in every step") {
   }
 }
 
-TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
+TEST_CASE("an arming that takes effect after somebody else's mode is undone") {
   Flown flight = at(StartStep::Arm, copter());
   CHECK(flight.plays("sent, soon shows rtl, soon shows") == "arm, Yielding, asks (2 times)");  // it may still arrive
   CHECK_FALSE(flight.sending.isDue());
@@ -645,7 +645,7 @@ TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody e
   CHECK(at(StartStep::Begin, copter()).plays("sent, shows") == "start");  // AUTO has not been seen yet
 }
 
-TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, behind what asked for them") {
+TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, after what asked for them") {
   for (StartStep step : {StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
     const bool asks = step == StartStep::FirstItem || step == StartStep::Confirm;
     Flown flight = at(step, copter());
@@ -667,7 +667,7 @@ TEST_CASE("of an autopilot whose modes are not known no mode is another one") {
   CHECK(flight.plays("shows armed 77, current 0") == "Shown, Done (armed)");
 }
 
-TEST_CASE("behind its start() an aircraft that flies another plan is disarmed if start() has armed it, and else left") {
+TEST_CASE("after its start() an aircraft that flies another plan is disarmed if start() has armed it, and else left") {
   const struct {
     const char *script, *leads;
   } kCases[] = {

@@ -100,7 +100,7 @@ TEST_CASE("a mode that the sketch sets by setMode() is its own until another one
   }
 }
 
-TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes behind it, within 7.5 s") {
+TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes after it, within 7.5 s") {
   Ordered copter;
   copter.goTo();
   CHECK(copter.left(192).wait(50).client.isBusy());

@@ -121,7 +121,7 @@ TEST_CASE("a takeoff has arrived at its height, wherever that is") {
     copter.here = at(mm, mm);
     CHECK(copter.atHeight(mm).steering.hasArrived() == (mm >= 18000 && mm <= 22000));
   }
-  // A takeoff behind a place is none to that place.
+  // A takeoff after a place is none to that place.
   CHECK_FALSE(copter.atHeight(20000).goTo().done().steering.hasArrived());
   Sent sent;
   sent.landNow().done().isArmed = false;
@@ -225,7 +225,7 @@ TEST_CASE("a target is waited for if one was named within five heartbeats") {
   }
 }
 
-TEST_CASE("a place whose target is never named is unconfirmed 7.5 s behind its acceptance") {
+TEST_CASE("a place whose target is never named is unconfirmed 7.5 s after its acceptance") {
   Aircraft copter(kArduPilot);
   const uint32_t sentMs = copter.inMission().goTo().until(192).nowMs();
   for (int i = 0; i < 76 && copter.client.isBusy(); ++i) {
@@ -253,7 +253,7 @@ TEST_CASE("the top of PX4's takeoff, at which it goes over to HOLD by itself, is
   }
 }
 
-TEST_CASE("whose HOLD it is behind a takeoff is told by the next position, where the last one is not of the top") {
+TEST_CASE("whose HOLD it is after a takeoff is told by the next position, where the last one is not of the top") {
   // `agoMs`: how old the last position is when HOLD is shown. `then`: the heights of the positions that follow, 0 for
   // 10 s without one.
   const struct {

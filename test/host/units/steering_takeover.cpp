@@ -12,7 +12,7 @@ constexpr uint8_t kArduPilot = ClientOnLine::kArduPilot, kPx4 = ClientOnLine::kP
 // kThere, as the autopilot names it.
 constexpr int32_t kLatitude = -353630000, kLongitude = 1491652374;
 
-// Until a heartbeat is asked for, behind which the order of this step leaves; no heartbeat comes by itself.
+// Until a heartbeat is asked for, after which the order of this step leaves; no heartbeat comes by itself.
 Aircraft& untilAsked(Aircraft& aircraft, SteerStep step) {
   const uint32_t before = aircraft.silence().asks;
   for (int ms = 0; ms < 3000 && (aircraft.asks == before || aircraft.steering.step() != step); ++ms) aircraft.pass(1);
@@ -80,7 +80,7 @@ TEST_CASE("a mode that somebody sets before the order has left is theirs, also i
   Aircraft rover(kArduPilot, 10);
   rover.inMission().goTo(0_m).done().pause().until(176).said();  // HOLD
   rover.beatsBySecond = false;
-  rover.wait(40).line.room = 0;  // GUIDED cannot be ordered right behind the heartbeat that shows HOLD
+  rover.wait(40).line.room = 0;  // GUIDED cannot be ordered right after the heartbeat that shows HOLD
   mavlink_command_ack_t other = mavlink_command_ack_t();
   REQUIRE(rover.client.sendMessage(OutgoingMessage{77, 143, sizeof(other), 3, &other}));
   rover.wait(60).silence().line.room = MemoryStream::kAlwaysRoom;
@@ -99,7 +99,7 @@ TEST_CASE("a mode that somebody sets before the order has left is theirs, also i
   CHECK(within(taken, 1000) == "PilotHasIt: ");
 }
 
-TEST_CASE("only a heartbeat that shows PX4 armed stands for the answer to the arming, and only behind the command") {
+TEST_CASE("only a heartbeat that shows PX4 armed stands for the answer to the arming, and only after the command") {
   enum What { Unheard, CarriedOut, ArmedByAnother };
   for (What what : {Unheard, CarriedOut, ArmedByAnother}) {
     CAPTURE(int{what});
@@ -118,7 +118,7 @@ TEST_CASE("only a heartbeat that shows PX4 armed stands for the answer to the ar
   CHECK(px4.times("L22") == 1);
 }
 
-TEST_CASE("a foreign mode that is shown behind the answer is no confirmation") {
+TEST_CASE("a foreign mode that is shown after the answer is no confirmation") {
   Aircraft copter(kArduPilot);
   copter.inMission().goTo().until(192).silence().pass(35);
   REQUIRE((copter.steering.step() == SteerStep::Confirm));
@@ -236,7 +236,7 @@ TEST_CASE("the 15 s of PX4's takeoff begin with its acceptance, and an order's t
   }
 }
 
-TEST_CASE("a takeover is remembered behind the landing, until the sketch asks for the aircraft again") {
+TEST_CASE("a takeover is remembered after the landing, until the sketch asks for the aircraft again") {
   enum Who { Pilot, Failsafe, PilotDuringAnOrder };
   for (Who who : {Pilot, Failsafe, PilotDuringAnOrder}) {
     CAPTURE(int{who});

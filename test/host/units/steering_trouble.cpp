@@ -81,7 +81,7 @@ TEST_CASE("a mode that was accepted and is not shown is unconfirmed; one that wa
 }
 
 TEST_CASE(
-    "a takeoff that does not leave the ground is given up 15 s behind its acceptance, and PX4's asked each second") {
+    "a takeoff that does not leave the ground is given up 15 s after its acceptance, and PX4's asked each second") {
   Standing copter(kArduPilot);
   copter.takesOff = false;
   const uint32_t answeredMs = copter.takeOff().until(22).nowMs() + 31;
@@ -243,7 +243,7 @@ TEST_CASE("PX4 says of a place that it does not support it, and flies there; of 
 
 TEST_CASE("PX4 without a home, or whose height is not known, gets no height above home") {
   Flying homeless(kPx4), unknown(kPx4), silent(kPx4), denying(kPx4);
-  homeless.goTo().until(512).once[512] = 4;  // behind the question whether it flies
+  homeless.goTo().until(512).once[512] = 4;  // after the question whether it flies
   CHECK(homeless.status() == "NoHome");
   unknown.hasPosition = false;
   CHECK(unknown.goTo().status() == "NoHome");

@@ -38,7 +38,7 @@ mavlink_command_long_t commandOf(const SentFrame& frame) {
   return command;
 }
 
-// A client with a listener that requests its message each `intervalMs`, or 0: not at all.
+// A client with a listener that requests its message every `intervalMs`, or not at all where that is 0.
 template <typename Listener>
 struct Desk : ClientOnLine {
   Listener listener;
@@ -58,7 +58,7 @@ struct Desk : ClientOnLine {
     run(5);
   }
 
-  // The requests that leave, "30 each 250", a message and its interval in ms, and "2 again", so many seconds behind the
+  // The requests that leave, "30 each 250", a message and its interval in ms, and "2 again", so many seconds after the
   // one before, when this happens:
   // until asked: the next one has left; wait N: N seconds pass; accepted, denied: the answer; comes: the message
   // no room, room: to send
@@ -156,13 +156,13 @@ TEST_CASE("a message that comes keeps its request from being repeated, and begin
   CHECK(desk.plays("wait 12") == "104 again, 2 again, 4 again");
 }
 
-TEST_CASE("of two listeners each gets its own answer, one behind the other") {
+TEST_CASE("of two listeners each gets its own answer, one after the other") {
   Attitude desk(1000);
   GpsListener gps(desk.client, 500);
   const std::string first = desk.plays("until asked");
   desk.run(50);
   CHECK(desk.plays("wait 0") == "");                  // no second one while the answer may come
-  const std::string second = desk.plays("accepted");  // which lets the other one ask
+  const std::string second = desk.plays("accepted");  // now the other one may ask
   CHECK(desk.listener.isConfirmed() != gps.isConfirmed());
   CHECK((first == "24 each 500" && second == "30 each 1000"));
   desk.plays("denied");

@@ -25,7 +25,7 @@ struct Desk : ClientOnLine {
     fillPlan();
   }
 
-  // The commands that leave, each as "55 30:-1/1": 55 ms behind the one before or the beginning of the script, message
+  // The commands that leave, each as "55 30:-1/1": 55 ms after the one before or the beginning of the script, message
   // 30, its interval in us, and which repeat it is; then "paused" or "idle". When this happens:
   // wait N: N ms pass; answers X, N ms: each command is answered so from now on
   // accepted, for others, to another: such an answer comes, to that command, for another component, to another command
@@ -124,7 +124,7 @@ struct Quiet : Desk {
   Quiet() : Desk(kThree) { REQUIRE(asks("answers accepted, wait 3000") == "30:100000, 24:0, 33:65535000, idle"); }
 };
 
-// Messages 300 and so on, each 3 ms or switched off.
+// Messages 300 and so on, every 3 ms or switched off.
 std::string of32(const char* interval, const char* state) {
   std::string text;
   for (int i = 0; i < 32; ++i) text += std::to_string(300 + i) + interval + ", ";
@@ -133,7 +133,7 @@ std::string of32(const char* interval, const char* state) {
 
 }  // namespace
 
-TEST_CASE("every interval is restored once when an autopilot is heard, each behind the answer to the one before") {
+TEST_CASE("every interval is restored once when an autopilot is heard, each after the answer to the one before") {
   Desk desk(kThree);
   desk.beats = false;
   CHECK(desk.plays("wait 3000") == "");
@@ -217,7 +217,7 @@ TEST_CASE("a command without an answer is repeated every 1.5 s, 5 times, before 
         "24:-1/1, 24:-1/2, 24:-1/3, 24:-1/4, 33:-1, 33:-1/1, 33:-1/2, 33:-1/3, 33:-1/4, paused");
 }
 
-TEST_CASE("an interval is restored until that is confirmed, one message behind the other, again and again") {
+TEST_CASE("an interval is restored until that is confirmed, one message after the other, again and again") {
   Desk desk(kThree);
   CHECK(desk.asks("wait 24100") ==
         "30:100000, 30:100000/1, 30:100000/2, 30:100000/3, 30:100000/4, 24:0, 24:0/1, 24:0/2, 24:0/3, 24:0/4, "

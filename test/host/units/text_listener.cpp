@@ -18,10 +18,10 @@ typedef std::vector<std::string> Texts;
 
 const std::string kFull(50, 'a'), kAlmost(49, 'b');
 
-// Heartbeats come at full seconds; the texts begin half a second behind one.
+// Heartbeats come at full seconds; the texts begin half a second after one.
 struct Desk : ClientOnLine {
   TextListener texts;
-  Texts given;  // each behind its severity
+  Texts given;  // each after its severity
 
   Desk() : ClientOnLine(kPx4), texts(client) {
     texts.onText(note, &given);
@@ -154,7 +154,7 @@ TEST_CASE("an autopilot's first long text has any number") {
   CHECK(desk.given == Texts{"6 first", "6 second"});
 }
 
-TEST_CASE("a text without its end is given at the second heartbeat behind its last piece") {
+TEST_CASE("a text without its end is given at the second heartbeat after its last piece") {
   Desk desk;
   desk.tell(kFull, 8, 0);
   desk.run(1000);

@@ -45,7 +45,7 @@ TEST_CASE("datagrams of the peer are read as one line, and those of others are n
   CHECK(desk.line.strangers() == 1);
 }
 
-TEST_CASE("an empty datagram looks like none, and what is behind it comes with the next call") {
+TEST_CASE("an empty datagram looks like none, and what is after it comes with the next call") {
   Desk desk;
   desk.bring(kOne, Bytes());
   desk.bring(kOne, request(1));
@@ -164,7 +164,7 @@ TEST_CASE("a bridge that cuts frames anywhere is found by the datagram in which 
           }
 }
 
-TEST_CASE("a bridge that cuts frames and comes back with another port is found again behind 5 s of silence") {
+TEST_CASE("a bridge that cuts frames and comes back with another port is found again after 5 s of silence") {
   for (const size_t chunk : {1, 7, 16, 64}) {
     Desk desk;
     desk.line.forgetPeer();

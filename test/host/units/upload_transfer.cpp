@@ -96,7 +96,7 @@ TEST_CASE("asking for the same item again does not put off the end") {
         "count, item 0 to 1, 499 item 1 (17 times), 17 TimedOut");
 }
 
-TEST_CASE("on a lossy link, an error long behind the last new request says that PX4 has given the upload up") {
+TEST_CASE("on a lossy link, an error long after the last new request says that PX4 has given the upload up") {
   Upload px4(3, kPx4, kFromOpen);
   px4.plays("lossy, asks 0 to 1, wait 2499");
   CHECK(Upload(px4).ends("error") == "goes on");
@@ -125,14 +125,13 @@ TEST_CASE("a request within 50 ms of its answer is a queue being emptied") {
   CHECK(Upload(5).plays("asks 0, wait 49, asks 0, wait 1, asks 0") == "count, item 0, 50 item 0");
 }
 
-TEST_CASE("a request for an earlier item is late; if it still comes 500 ms behind a newer one, it decides") {
+TEST_CASE("a request for an earlier item is late; if it still comes 500 ms after a newer one, it decides") {
   // At first it holds items 0 to 2. The second request for item 1 was late, too.
   CHECK(Upload(5).plays("asks 0 to 3, wait 499, asks 1, progress, wait 1, asks 1, progress, asks 4, accepted") ==
         "count, item 0 to 3, 499 asked for 4, 1 item 1, asked for 2, item 4, Accepted");
 }
 
-TEST_CASE(
-    "an item that is asked for again and again, behind one that was taken for received, is sent again and again") {
+TEST_CASE("an item that is asked for again and again, after one that was taken for received, is sent again and again") {
   // The answer is to item 0, which stood still somewhere. No item is said to have arrived whose next was not asked for.
   Upload upload(5, kArduPilot);
   CHECK(upload.plays("asks 0 to 1, lossy, sleep 250, out of sequence, progress, sleep 300, asks 1") ==
@@ -148,14 +147,14 @@ TEST_CASE("a request that jumps ahead or beyond the plan moves nothing") {
   CHECK(Upload(3).plays("asks 0 to 3") == "count, item 0 to 2");
 }
 
-TEST_CASE("the longest plan has 65,535 items, and asks for no item behind its end") {
+TEST_CASE("the longest plan has 65,535 items, and asks for no item after its end") {
   Upload upload(65535);
   CHECK(upload.plays("asks 0 to 65534") == "count, item 0 to 65534");
   CHECK(Upload(upload).plays("accepted") == "Accepted");
   CHECK(upload.plays("asks 65535, accepted") == "Unconfirmed");
 }
 
-TEST_CASE("an empty plan is accepted at once; behind another operation it is not proven by that") {
+TEST_CASE("an empty plan is accepted at once; after another operation it is not proven by that") {
   CHECK(Upload(0).plays("accepted") == "count, Accepted");
   CHECK(Upload(0, kArduPilot, kFromOpen).plays("accepted") == "count, Unconfirmed");
   CHECK(Upload(0, kArduPilot, kFromBefore).plays("accepted") == "count, Unconfirmed");
@@ -205,7 +204,7 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
     for (unsigned asked = 0; asked <= 3; ++asked) {
       std::string expected = nameOf(fromMissionResult(result));
       if (result == kError && asked == 0) expected = "goes on";
-      // It has given the upload up, or is idle behind the last item.
+      // It has given the upload up, or is idle after the last item.
       if (result == kInvalidSequence && asked != 0) expected = asked < 3 ? "TimedOut" : "Unconfirmed";
       CAPTURE(asked);
       Upload upload(3);
@@ -229,7 +228,7 @@ TEST_CASE("a PX4 that may be busy with what was ours is told so and asked every 
   for (unsigned unanswered = 0; unanswered < 5; ++unanswered) {
     Upload upload(3, kPx4, kFromBusy);
     upload.plays("wait " + number(1500 * unanswered));
-    // Each error is brought twice, up to 6 s behind the first that PX4 was freed for.
+    // Each error is brought twice, up to 6 s after the first that PX4 was freed for.
     CHECK(upload.plays("error, " + times(4, "error, error, wait 1500") + "error") ==
           "cancel and count, 1500 cancel and count (4 times), Error");
   }
@@ -282,7 +281,7 @@ TEST_CASE(
   CHECK(Upload(3, kArduPilot).plays("cancelled") == "count, CancelledByAutopilot");
 }
 
-TEST_CASE("a transfer that is begun again behind an older one has all its tries") {
+TEST_CASE("a transfer that is begun again after an older one has all its tries") {
   Upload again(2, kPx4, kFromOpen);
   CHECK(again.plays("asks 0 to 1, wait 1500, asks 2, progress") ==
         "count, item 0 to 1, 1500 item 1, cancel and count, asked for 0");
@@ -401,7 +400,7 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
   }
 }
 
-TEST_CASE("on a lossy link, an unknown server gets room for its own timeout behind each eight of an item") {
+TEST_CASE("on a lossy link, an unknown server gets room for its own timeout after each eight of an item") {
   // Until the time for the next request is over.
   CHECK(Upload(3).plays("asks 0, lossy, silence") ==
         "count, item 0, " + times(8, "50 item 0 (7 times), 700 item 0") + "50 item 0, 50 TimedOut");
@@ -450,7 +449,7 @@ TEST_CASE("on a lossy link, PX4 gets four copies of an item, then the next one i
   CHECK(Upload(px4).plays("wait 12, line full, wait 12, asks 0, line free") == "12 item 0 (2 times)");
   // It asks for the second, and all is as if that had not left yet.
   CHECK(Upload(px4).plays("asks 1, progress, wait 150") == "item 1, asked for 2, 50 item 1 (3 times)");
-  // It asks for the one after, since it has taken both; the one behind that is the last.
+  // It asks for the one after, since it has taken both; the one after that is the last.
   CHECK(Upload(px4).plays("asks 2, progress, asks 3, accepted") == "item 2, asked for 3, item 3, Accepted");
   CHECK(Upload(4, kPx4).plays("lossy, wait 9, asks 0, wait 9, asks 1, wait 9, asks 2, wait 240") ==
         "count, 9 item 0, 9 item 1, 9 item 2, 12 item 2 (20 times)");

@@ -1,4 +1,4 @@
-// What the listeners behind Vehicle::fitness(), the wind and the texts make of each message; the names of modes.
+// What the listeners of Vehicle::fitness(), the wind and the texts make of each message; the names of modes.
 #include <doctest/doctest.h>
 #include <string.h>
 

@@ -169,7 +169,7 @@ TEST_CASE("a rover drives where it looks, and one that stands still over the gro
   CHECK(flight.flown(body(0).turning(turn(90))) == "body 0 0 0, yaw 0, turn 1.5708, mask 0x5c7");
 }
 
-TEST_CASE("behind a loop() that stood still for 0.6 s a heartbeat comes first, and then the velocity again") {
+TEST_CASE("after a loop() that stood still for 0.6 s a heartbeat comes first, and then the velocity again") {
   Flown flight(kCopter);
   flight.begin(body(2)).silence();
   CHECK((flight.velocity.renew(body(2)) == Status::Transferring));

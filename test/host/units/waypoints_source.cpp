@@ -125,7 +125,7 @@ TEST_CASE("one update() reads one field, and 64 bytes at the most") {
     state = source.update();
     const uint32_t read = file.bytesRead - before;
     if (read > most) most = read;
-    if (from > 230 && read != 0) {  // behind the comment: no two fields end
+    if (from > 230 && read != 0) {  // after the comment: no two fields end
       uint32_t ends = 0;
       for (size_t at = from + 1; at < file.position; ++at) {
         const bool isEnd = file.text[at] == '\t' || file.text[at] == '\n';

@@ -89,7 +89,7 @@ Read read(const std::string& text) {
 
 std::string told(const std::string& text) { return read(text).error; }
 
-// Line 1 of a plan, behind the header and home, with this field replaced.
+// Line 1 of a plan, after the header and home, with this field replaced.
 std::string withField(uint8_t field, const std::string& text, const char* command = "16") {
   std::string made = kBegin;
   const char* const fields[] = {"1", "0", "3", command, "0", "0", "0", "0", "-35", "149", "20", "1"};
@@ -380,7 +380,7 @@ TEST_CASE("a line in the middle is read whatever was being read before") {
     text.beginAt(5);
     CHECK(text.errorField() == 0);
     CHECK(fed(text, line(5, 22)) == Step::Item);
-    // Nor is it known which line is bad behind it.
+    // Nor is it known which line is bad after it.
     CHECK(fed(text, line(7, 22)) == Step::Bad);
     CHECK(errorOf(text) == "0.1 OutOfOrder");
   }
@@ -440,7 +440,7 @@ TEST_CASE("what a caller finds wrong ends the text") {
   CHECK((text.error() == TextError::Unreadable));
 }
 
-TEST_CASE("a plan has 65534 items at the most, behind home and without it") {
+TEST_CASE("a plan has 65534 items at the most, after home and without it") {
   for (int first : {1, 0}) {
     WaypointsText text;
     fed(text, kHeader + ((first == 1 ? kHome : "") + line(first, 22)));

@@ -404,7 +404,7 @@ TEST_CASE("on PX4 a takeoff or landing without a place gets that of the nearest 
       {{west, east, speed, land()}, 3, "30 40"},
       {{land(), east}, 0, "30 40"},
       {{west, speed, speed, up, speed, east}, 3, "30 40"},
-      // Of two equally near, a landing takes the one before it, a takeoff the one behind it.
+      // Of two equally near, a landing takes the one before it, a takeoff the one after it.
       {{west, land(), east}, 1, "10 -20"},
       {{west, vtolLand, east}, 1, "10 -20"},
       {{west, up, east}, 1, "30 40"},
@@ -527,7 +527,7 @@ TEST_CASE("an item from the wire is the one that a sketch would have written") {
   }
 }
 
-TEST_CASE("a jump to a tag leads to a tag of the plan, before it or behind it, and its item stays as it is") {
+TEST_CASE("a jump to a tag leads to a tag of the plan, before it or after it, and its item stays as it is") {
   const MissionItem toTag8 = anyCommand(601, 8, 2), tag7 = anyCommand(600, 7), tag8 = anyCommand(600, 8);
   const struct {
     Items items;
