@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from examples import example_folder
@@ -16,7 +18,7 @@ FEW = ("UploadMission", "StartMission")  # the examples that the page has in too
 
 def pytest_itemcollected(item):
     """What asks for the folder of all examples is slow."""
-    if "folder" in getattr(item, "fixturenames", ()) and item.path.parent.name == "playground":
+    if "folder" in getattr(item, "fixturenames", ()) and item.path.parent == Path(__file__).parent:
         item.add_marker("slow")
 
 
