@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import functools
 import os
+import re
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -42,8 +43,12 @@ FAST = ["-O2", "-g0"]
 UNITS = HOST / "units"
 UNITS_COMPILER = "clang++"
 LONG_RUNNING = (UNITS / "float_bits.cpp",)
+PIECES = OUTPUT / "units"  # several units each: units_together()
 MAIN = UNITS / "main.cpp"
 UNITS_INCLUDE = ("<doctest/doctest.h>", "<algorithm>", "<map>", "<string>", "<vector>")
+UNIT_IN_PIECE = re.compile(r'^namespace .*\n#include "(.*)"$', re.M)
+INCLUDE = re.compile(r"#include [<\"]")
+SETS_A_MACRO = re.compile(r"^#(define|undef)\b.*^#include ", re.M | re.S)
 AS_IT_IS = ["-O0"]
 FAST_ASSERTS = ["-DDOCTEST_CONFIG_SUPER_FAST_ASSERTS"]
 
@@ -92,8 +97,17 @@ def build_objects(
     def told(source: Path) -> list[str]:
         return command_for(source, compiler, command)
 
+    def made(source: Path) -> list[Path]:
+        try:
+            return [make_object(source, told(source))]
+        except HostProgramNotBuilt:
+            if source.parent != PIECES:
+                raise
+            # Names of two units, or of headers, that collide; or one has a fault, which it then shows alone.
+            return [make_object(Path(unit), told(Path(unit))) for unit in UNIT_IN_PIECE.findall(source.read_text())]
+
     with ThreadPoolExecutor(os.cpu_count()) as workers:
-        return [*workers.map(lambda source: make_object(source, told(source)), sources)]
+        return [one for found in workers.map(made, sources) for one in found]
 
 
 def command_for(source: Path, compiler: str, told: Sequence[str]) -> list[str]:
@@ -101,9 +115,27 @@ def command_for(source: Path, compiler: str, told: Sequence[str]) -> list[str]:
 
     The units are clang++'s in each: it takes two thirds of the time of g++ for them.
     """
-    is_unit = source.parent == UNITS
+    is_unit = source.parent in (UNITS, PIECES)
     unit = [*FAST_ASSERTS, *([] if source in LONG_RUNNING else AS_IT_IS)] if is_unit else []
     return [UNITS_COMPILER if is_unit else compiler, "-c", *STANDARD, *told, *unit]
+
+
+def units_together(units: Sequence[Path], most: int = 26) -> list[Path]:
+    """Files that include so many units each, for the headers are most of what a unit takes to compile. Each is in a
+    namespace of its own, after the headers of all; one that sets a macro for a header stays as it is."""
+    alone = [unit for unit in units if unit in (MAIN, *LONG_RUNNING) or SETS_A_MACRO.search(unit.read_text())]
+    others = [unit for unit in units if unit not in alone]
+    PIECES.mkdir(parents=True, exist_ok=True)
+    found = []
+    for group in [others[at : at + most] for at in range(0, len(others), most)]:
+        lines = dict.fromkeys(line for unit in group for line in unit.read_text().splitlines() if INCLUDE.match(line))
+        text = "\n".join([*lines, *(f'namespace {unit.stem}_cpp {{\n#include "{unit}"\n}}' for unit in group), ""])
+        found.append(PIECES / f"{digest(text)[:16]}.cpp")
+        if not found[-1].exists():
+            fresh = found[-1].with_suffix(f".{os.getpid()}")
+            fresh.write_text(text)
+            fresh.replace(found[-1])
+    return [*alone, *found]
 
 
 def make_object(source: Path, command: Sequence[str]) -> Path:
@@ -126,7 +158,7 @@ def quickened(source: Path, command: Sequence[str]) -> list[str]:
     """The command for a source, with MAVLink's headers precompiled, for a unit with what all units include beside."""
     if source.suffix != ".cpp" or source in (MAIN, *LONG_RUNNING):
         return [*command]
-    more = UNITS_INCLUDE if source.parent == UNITS else ()
+    more = UNITS_INCLUDE if source.parent in (UNITS, PIECES) else ()
     return [*command, *with_mavlink(command, compiler_version(command[0]), *more)]
 
 

@@ -11,27 +11,29 @@ from pathlib import Path
 
 import pytest
 
-from simulation.host_build import HOST, SANITIZED, build_host
+from simulation.host_build import HOST, SANITIZED, HostProgramNotBuilt, build_host, build_objects, units_together
 from units import cases_of, run_unit
 
 UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem != "main")
-WAYS = {"plain": ("clang++", ("-O1", "-g0")), "clang++": ("clang++", SANITIZED)}
+PLAIN = ("-O1", "-g0")
+WAYS = {"plain": ("clang++", PLAIN), "clang++": ("clang++", SANITIZED)}
 
 
 @pytest.fixture(scope="session")
 def chosen(request) -> tuple[Path, ...]:
     """The sources of the units that are to be run: a few need not wait for all."""
-    names = {item.callspec.params["unit"] for item in request.session.items if item.path.name == "test_host.py"}
+    names = {item.callspec.params["unit"] for item in request.session.items if "chosen" in item.fixturenames}
     return tuple(HOST / "units" / f"{name}.cpp" for name in ["main", *sorted(names)])
 
 
 @functools.cache
 def build_units(units: tuple[Path, ...], compiler: str, flags: tuple[str, ...]) -> Path:
-    return build_host("units", [*sorted(HOST.glob("*.cpp")), *units], compiler, flags)
+    return build_host("units", [*sorted(HOST.glob("*.cpp")), *units_together(units)], compiler, flags)
 
 
 def pytest_generate_tests(metafunc):
-    metafunc.parametrize("way", ["plain" if "not thorough" in metafunc.config.option.markexpr else "clang++"])
+    if "way" in metafunc.fixturenames:
+        metafunc.parametrize("way", ["plain" if "not thorough" in metafunc.config.option.markexpr else "clang++"])
 
 
 @pytest.mark.parametrize(
@@ -41,3 +43,19 @@ def test_every_case_of_a_unit_passes(unit, way, chosen, tmp_path):
     compiler, flags = WAYS[way]
     assert cases_of(unit) > 0
     assert run_unit(build_units(chosen, compiler, tuple(flags)), unit, tmp_path) == (0, cases_of(unit))
+
+
+def test_units_that_do_not_compile_as_one_are_compiled_alone(tmp_path):
+    """So names of two may collide, and a fault is told of the unit that has it."""
+    names = ("both.h", "other.h", "one.cpp", "two.cpp")
+    both, other, one, two = (tmp_path / name for name in names)
+    both.write_text("#pragma once\nnamespace both { struct Value {}; }\n")
+    other.write_text("#pragma once\nnamespace both { namespace other { struct Value {}; } }\n")
+    one.write_text(f'#include "{both}"\nboth::Value one;\n')
+    using = "using namespace both;\nusing namespace both::other;\nValue two;\n"
+    two.write_text(f'#include "{other}"\n{using}')
+    (piece,) = units_together([one, two])
+    assert len(build_objects([piece], "clang++", PLAIN)) == 2
+    two.write_text(f'#include "{other}"\nValue two;\n')
+    with pytest.raises(HostProgramNotBuilt, match=r"two\.cpp -o "):
+        build_objects(units_together([one, two]), "clang++", PLAIN)

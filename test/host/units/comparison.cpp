@@ -61,7 +61,7 @@ bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits,
   return field == ItemField::None;
 }
 
-uint32_t bitsOf(float number) {
+uint32_t bitsOfFloat(float number) {
   uint32_t bits;
   memcpy(&bits, &number, sizeof(bits));
   return bits;
@@ -321,10 +321,10 @@ TEST_CASE("each kind of whole number is kept up to its limits, and not beyond") 
     CAPTURE(kind.command);
     CAPTURE(kind.index);
     for (const float kept : {kind.lowest, kind.highest, 0.f, 1.f}) {
-      CHECK(isKept(kCopter, kind.command, kind.index, bitsOf(kept)));
+      CHECK(isKept(kCopter, kind.command, kind.index, bitsOfFloat(kept)));
     }
     for (const float lost : {kind.lowest - 1, kind.highest + 1, 0.5f, -0.5f, 0.001f}) {
-      CHECK_FALSE(isKept(kCopter, kind.command, kind.index, bitsOf(lost)));
+      CHECK_FALSE(isKept(kCopter, kind.command, kind.index, bitsOfFloat(lost)));
     }
   }
 }
@@ -349,43 +349,43 @@ TEST_CASE("the radius of turns is whole metres to 255, and tens to 2550") {
   for (int metres = 0; metres <= 2700; ++metres) {
     const bool expected = metres <= 255 || (metres <= 2550 && metres % 10 == 0);
     CAPTURE(metres);
-    CHECK(isKept(kCopter, 18, 2, bitsOf(static_cast<float>(metres))) == expected);
-    CHECK(isKept(kCopter, 18, 2, bitsOf(static_cast<float>(-metres))) == expected);
+    CHECK(isKept(kCopter, 18, 2, bitsOfFloat(static_cast<float>(metres))) == expected);
+    CHECK(isKept(kCopter, 18, 2, bitsOfFloat(static_cast<float>(-metres))) == expected);
   }
 }
 
 TEST_CASE("turns are whole to 255, and below 1 in 256ths") {
   for (int turns = 0; turns <= 300; ++turns)
-    CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(turns))) == (turns <= 255));
+    CHECK(isKept(kCopter, 18, 0, bitsOfFloat(static_cast<float>(turns))) == (turns <= 255));
   for (int parts = 1; parts < 1024; ++parts) {
-    CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(parts) / 1024)) == (parts % 4 == 0));
+    CHECK(isKept(kCopter, 18, 0, bitsOfFloat(static_cast<float>(parts) / 1024)) == (parts % 4 == 0));
   }
-  for (const float lost : {1.5f, -1.f, -0.25f}) CHECK_FALSE(isKept(kCopter, 18, 0, bitsOf(lost)));
+  for (const float lost : {1.5f, -1.f, -0.25f}) CHECK_FALSE(isKept(kCopter, 18, 0, bitsOfFloat(lost)));
 }
 
 TEST_CASE("what is kept in centimetres is below 655.36") {
   CHECK(isKept(kCopter, 94, 0, 0x4423D709));
   CHECK_FALSE(isKept(kCopter, 94, 0, 0x4423D70A));  // 655.36
-  CHECK_FALSE(isKept(kCopter, 94, 0, bitsOf(-1.f)));
+  CHECK_FALSE(isKept(kCopter, 94, 0, bitsOfFloat(-1.f)));
 }
 
 TEST_CASE("the direction of a circle is 0, 1 or -1 on a plane, and of any size where it is not used") {
-  for (const float radius : {0.f, 1.f, -1.f}) CHECK(isKept(kPlane, 19, 2, bitsOf(radius)));
+  for (const float radius : {0.f, 1.f, -1.f}) CHECK(isKept(kPlane, 19, 2, bitsOfFloat(radius)));
   for (const float radius : {2.f, -2.f, 50.f, 0.5f}) {
-    CHECK_FALSE(isKept(kPlane, 19, 2, bitsOf(radius)));
-    CHECK(isKept(kCopter, 19, 2, bitsOf(radius)));
+    CHECK_FALSE(isKept(kPlane, 19, 2, bitsOfFloat(radius)));
+    CHECK(isKept(kCopter, 19, 2, bitsOfFloat(radius)));
   }
 }
 
 TEST_CASE("a heading is kept from -180 to 360 degrees on PX4") {
-  for (const float kept : {-180.f, 0.f, 360.f}) CHECK(isKept(kByPx4, 16, 3, bitsOf(kept)));
-  for (const float limit : {-180.f, 360.f}) CHECK_FALSE(isKept(kByPx4, 16, 3, bitsOf(limit) + 1));
+  for (const float kept : {-180.f, 0.f, 360.f}) CHECK(isKept(kByPx4, 16, 3, bitsOfFloat(kept)));
+  for (const float limit : {-180.f, 360.f}) CHECK_FALSE(isKept(kByPx4, 16, 3, bitsOfFloat(limit) + 1));
 }
 
 TEST_CASE("a region of interest has a mode that PX4 takes: none or a place, or without a place none or an item") {
   for (unsigned mode = 0; mode < 300; ++mode) {
     CAPTURE(mode);
-    const uint32_t bits = bitsOf(static_cast<float>(mode));
+    const uint32_t bits = bitsOfFloat(static_cast<float>(mode));
     CHECK(isKept(kByPx4, 201, 0, bits) == (mode == 0 || mode == 3));
     CHECK(isKept(kByPx4, 201, 0, bits, CoordinateFrame::Mission) == (mode <= 2));
   }
@@ -394,10 +394,10 @@ TEST_CASE("a region of interest has a mode that PX4 takes: none or a place, or w
 TEST_CASE("PX4 keeps a whole number of corners of a fence, and any radius of a circle") {
   constexpr Keeper kPx4Fence = kByPx4 | kOfFence;
   for (const uint16_t corner : {uint16_t(5001), uint16_t(5002)}) {
-    CHECK(isKept(kPx4Fence, corner, 0, bitsOf(4.f)));
-    CHECK_FALSE(isKept(kPx4Fence, corner, 0, bitsOf(3.5f)));
+    CHECK(isKept(kPx4Fence, corner, 0, bitsOfFloat(4.f)));
+    CHECK_FALSE(isKept(kPx4Fence, corner, 0, bitsOfFloat(3.5f)));
   }
-  CHECK(isKept(kPx4Fence, 5003, 0, bitsOf(3.5f)));
+  CHECK(isKept(kPx4Fence, 5003, 0, bitsOfFloat(3.5f)));
 }
 
 TEST_CASE("every number of a command that is not in the table is kept as it is, with a place and without") {
@@ -408,7 +408,7 @@ TEST_CASE("every number of a command that is not in the table is kept as it is, 
         sent.command = 31337;
         sent.frame = frame;
         sent.param4 = 0;
-        setBits(sent, index, bitsOf(77.6f));
+        setBits(sent, index, bitsOfFloat(77.6f));
         MissionItem read = sent;
         CHECK((difference(sent, read, keeper) == ItemField::None));
         setBits(read, index, 0);

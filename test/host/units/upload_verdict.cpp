@@ -7,6 +7,7 @@
 
 using namespace mavmission;
 using namespace mavmission::detail;
+using mavmission::detail::Verdict;  // and not the one of a LinkDoctor
 using State = UploadState;
 
 namespace {

@@ -9,6 +9,7 @@
 
 using namespace mavmission;
 using namespace mavmission::detail;
+using mavmission::detail::Vehicle;  // and not the one of telemetry
 
 namespace {
 
