@@ -1,5 +1,5 @@
-"""A simulated day of transfers: 12 hours of every operation, one after the other, with idle stretches and losses; with
-PX4 four and a half, since what could grow is the same. In 12 hours each counter of 16 bits has wrapped.
+"""A simulated day of transfers: 24 hours of every operation, one after the other, with idle stretches and losses; with
+PX4 six hours, since what could grow is the same.
 
 The library's own MissionClient, compiled for this computer, update() each millisecond, on a wire to the fake
 autopilots. millis() wraps within the day. What must hold: every operation ends; what it says is so; without a loss it
@@ -26,7 +26,7 @@ from simulation.service import FENCE, MISSION, RALLY
 from simulation.wire import Entry, Wire
 from starts import HOPS
 
-DAY_S = {"ArduPilot": 12 * 3600, "PX4": 9 * 1800}
+DAY_S = {"ArduPilot": 24 * 3600, "PX4": 6 * 3600}
 WRAP_S = 4 * 3600.5  # when millis() wraps
 LONGEST_S = 150.0  # that an operation may take: the default limit of the longest plan here
 LEFTOVERS_S = 12.0  # after which nothing of an earlier operation is answered any more

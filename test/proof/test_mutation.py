@@ -17,8 +17,8 @@ from mutating.kinds import KINDS
 from mutating.mutants import mutants_of
 from mutating.subjects import AROUND, ENGINES, SUBJECTS, files_of, units_of
 
-SAMPLE = 18
-SAMPLE_AROUND = 7  # of what is around the engines, where a mutant costs more
+SAMPLE = 60
+SAMPLE_AROUND = 20  # of what is around the engines, where a mutant costs more
 
 
 @pytest.mark.slow
