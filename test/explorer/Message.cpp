@@ -32,12 +32,6 @@ const char* setType(Message& message, uint8_t type) {
   return nullptr;
 }
 
-template <typename T>
-Bytes bytesOf(const T& message) {
-  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-  return Bytes(begin, begin + sizeof(message));
-}
-
 FrameParts partsOf(const Message& message, Firmwares firmware) {
   switch (message.kind) {
     case Kind::Heartbeat: {
@@ -47,7 +41,7 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
                        : isArduPilot(firmware) ? MAV_AUTOPILOT_ARDUPILOTMEGA
                                                : MAV_AUTOPILOT_PX4;
       beat.mavlink_version = 3;
-      return FrameParts(MAVLINK_MSG_ID_HEARTBEAT, bytesOf(beat), MAVLINK_MSG_ID_HEARTBEAT_CRC);
+      return FrameParts(MAVLINK_MSG_ID_HEARTBEAT, beat, MAVLINK_MSG_ID_HEARTBEAT_CRC);
     }
     case Kind::Count: {
       mavlink_mission_count_t count = mavlink_mission_count_t();
@@ -56,7 +50,7 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
       count.count = message.number;
       count.opaque_id = message.opaqueId;
       count.mission_type = message.type;
-      return FrameParts(MAVLINK_MSG_ID_MISSION_COUNT, bytesOf(count), MAVLINK_MSG_ID_MISSION_COUNT_CRC);
+      return FrameParts(MAVLINK_MSG_ID_MISSION_COUNT, count, MAVLINK_MSG_ID_MISSION_COUNT_CRC);
     }
     case Kind::Request:
       // ArduPilot asks by the older message, which has the same layout.

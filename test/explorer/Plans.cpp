@@ -40,11 +40,6 @@ mavlink_mission_item_int_t placeOf(uint8_t item, uint8_t type, Firmwares firmwar
   return message;
 }
 
-Bytes bytesOf(const mavlink_mission_item_int_t& message) {
-  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-  return Bytes(begin, begin + sizeof(message));
-}
-
 }  // namespace
 
 const MissionItem* sketchPlan(uint8_t plan, uint8_t type) {

@@ -24,12 +24,6 @@ T messageIn(const Bytes& payload) {
   return message;
 }
 
-template <typename T>
-Bytes bytesOf(const T& message) {
-  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-  return Bytes(begin, begin + sizeof(message));
-}
-
 bool isSameNumber(float sent, float read) { return sent == read || (isnan(sent) && isnan(read)); }
 
 // The frames with "INT" in their names are older names of the same.

@@ -1,10 +1,10 @@
 #include "Conversation.h"
 
-#include <doctest/doctest.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "Px4Checksum.h"
 #include "mavmission/base/MavlinkHeaders.h"
@@ -181,7 +181,7 @@ void Conversation::happens(const std::string& whole) {
     message.mission_state = MISSION_STATE_ACTIVE;
     return tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message);
   }
-  FAIL("there is no event \"", whole, "\"");
+  throw std::invalid_argument("there is no event \"" + whole + "\"");
 }
 
 bool Conversation::isCall(const std::string& event) {

@@ -191,9 +191,7 @@ void FilePilot::giveItem(uint8_t number) {
   if (number == damaged) item.z += 1;
   item.target_system = 1;
   item.target_component = 191;
-  Bytes bytes(sizeof(item));
-  memcpy(bytes.data(), &item, sizeof(item));
-  hear(FrameParts(kItemInt, bytes, 38));
+  hear(FrameParts(kItemInt, item, 38));
 }
 
 void FilePilot::takeItem(uint16_t number, uint16_t items) {

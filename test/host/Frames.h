@@ -2,11 +2,20 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "mavmission/link/FrameParser.h"
 
 typedef std::vector<uint8_t> Bytes;
+
+// The payload that a message of MAVLink's headers is.
+template <typename Message>
+Bytes bytesOf(const Message& message) {
+  static_assert(std::is_pod<Message>::value, "a message, whose bytes are the payload");
+  const uint8_t* first = reinterpret_cast<const uint8_t*>(&message);
+  return Bytes(first, first + sizeof(message));
+}
 
 // What a frame is made of. The defaults are those of an autopilot's MAVLink 2 frame.
 struct FrameParts {
@@ -21,6 +30,8 @@ struct FrameParts {
   uint8_t compatibility = 0;
 
   FrameParts(uint32_t id, const Bytes& bytes, uint8_t extra) : messageId(id), payload(bytes), crcExtra(extra) {}
+  template <typename Message>
+  FrameParts(uint32_t id, const Message& message, uint8_t extra) : FrameParts(id, bytesOf(message), extra) {}
 };
 
 // Its bytes, with as many bytes of signature as the flag asks for; the payload goes out as it is.

@@ -57,9 +57,7 @@ struct Flown : ClientOnLine {
   }
   template <typename Message>
   void tell(uint16_t id, uint8_t crcExtra, const Message& message) {
-    Bytes payload(sizeof(Message));
-    memcpy(payload.data(), &message, sizeof(Message));
-    hear(FrameParts(id, payload, crcExtra));
+    hear(FrameParts(id, message, crcExtra));
   }
   // It beats once a second, and when it is asked to, and it obeys.
   void fly(uint32_t ms) {

@@ -1,12 +1,12 @@
 #include "Script.h"
 
-#include <doctest/doctest.h>
 #include <stdio.h>
 
 #include <sstream>
+#include <stdexcept>
 
 Events::Iterator& Events::Iterator::operator++() {
-  if (!event_->isKnown) FAIL("there is no event \"", event_->what, "\"");
+  if (!event_->isKnown) throw std::invalid_argument("there is no event \"" + event_->what + "\"");
   ++event_;
   return *this;
 }

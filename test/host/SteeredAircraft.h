@@ -97,9 +97,7 @@ class Aircraft : public AnsweringPeer {
   void answer(uint16_t command, uint8_t result);
   template <typename Message>
   void tell(uint16_t id, const Message& message, uint8_t crcExtra) {
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    hear(FrameParts(id, payload, crcExtra));
+    hear(FrameParts(id, message, crcExtra));
   }
 
  private:

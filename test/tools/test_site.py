@@ -203,4 +203,4 @@ def test_search_finds_a_page_by_its_words(browser, site, address, width, scheme)
     browser.wait_for(f"{FOUND} != ''")
     for letter in "passphrase":
         browser.press(letter)
-    browser.wait_for(FOUND.replace("return", "return (") + ").includes('A signed link')")
+    assert browser.wait_for(FOUND.replace("return", "return (") + ").includes('A signed link')")

@@ -95,9 +95,7 @@ struct Desk : ClientOnLine {
     message.custom_mode = customMode;
     message.type = who.type;
     message.autopilot = who.autopilot;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    FrameParts parts(MAVLINK_MSG_ID_HEARTBEAT, payload, MAVLINK_MSG_ID_HEARTBEAT_CRC);
+    FrameParts parts(MAVLINK_MSG_ID_HEARTBEAT, message, MAVLINK_MSG_ID_HEARTBEAT_CRC);
     parts.systemId = who.systemId;
     parts.componentId = who.componentId;
     parts.incompatibility = isSigned;

@@ -58,9 +58,7 @@ struct Desk : ClientOnLine {
     memcpy(&message.param_value, &bits, sizeof(bits));
     strncpy(message.param_id, name, sizeof(message.param_id));
     message.param_type = type;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    FrameParts parts(MAVLINK_MSG_ID_PARAM_VALUE, payload, MAVLINK_MSG_ID_PARAM_VALUE_CRC);
+    FrameParts parts(MAVLINK_MSG_ID_PARAM_VALUE, message, MAVLINK_MSG_ID_PARAM_VALUE_CRC);
     parts.systemId = systemId;
     hear(parts);
     return pass(5);

@@ -23,13 +23,6 @@ struct Address {
 };
 constexpr Address kStation = {255, 190}, kPilot = {1, 1}, kUs = {1, 191};
 
-template <typename Message>
-Bytes bytesOf(const Message& message) {
-  Bytes bytes(sizeof(message));
-  memcpy(bytes.data(), &message, sizeof(message));
-  return bytes;
-}
-
 struct Carrier : ClientOnLine {
   Payload payload;
   std::vector<PayloadCommand> carried;

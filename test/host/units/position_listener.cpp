@@ -24,9 +24,7 @@ struct Heard : ClientOnLine {
     message.alt = altMm;
     message.relative_alt = relativeMm;
     message.hdg = headingCdeg;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    hear(FrameParts(33, payload, 104));
+    hear(FrameParts(33, message, 104));
     run(5);
   }
 };

@@ -105,9 +105,7 @@ struct Flown : ClientOnLine {
   }
   template <typename Message>
   void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId) {
-    Bytes payload(sizeof(Message));
-    memcpy(payload.data(), &message, payload.size());
-    FrameParts parts(id, payload, crcExtra);
+    FrameParts parts(id, message, crcExtra);
     parts.systemId = systemId;
     hear(parts);
   }

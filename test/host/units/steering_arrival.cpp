@@ -377,9 +377,7 @@ TEST_CASE("messages of other systems and other components are not the aircraft's
   message.lat = kLatitude;
   message.lon = kLongitude;
   message.relative_alt = 20000;
-  Bytes payload(sizeof(message));
-  memcpy(payload.data(), &message, sizeof(message));
-  FrameParts parts(33, payload, 104);
+  FrameParts parts(33, message, 104);
   parts.systemId = 2;
   sent.hear(parts);
   CHECK_FALSE(sent.wait(5).steering.hasArrived());

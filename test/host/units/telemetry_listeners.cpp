@@ -50,9 +50,7 @@ struct Desk : ClientOnLine {
 
   template <typename Message>
   void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId = 1) {
-    Bytes payload(sizeof(Message));
-    memcpy(payload.data(), &message, sizeof(Message));
-    FrameParts parts(id, payload, crcExtra);
+    FrameParts parts(id, message, crcExtra);
     parts.systemId = systemId;
     hear(parts);
     run(5);

@@ -39,9 +39,7 @@ struct Desk : ClientOnLine {
     message.id = id;
     message.chunk_seq = piece;
     message.severity = severity;
-    Bytes payload(sizeof(message));
-    memcpy(payload.data(), &message, sizeof(message));
-    FrameParts parts(MAVLINK_MSG_ID_STATUSTEXT, payload, MAVLINK_MSG_ID_STATUSTEXT_CRC);
+    FrameParts parts(MAVLINK_MSG_ID_STATUSTEXT, message, MAVLINK_MSG_ID_STATUSTEXT_CRC);
     parts.systemId = systemId;
     parts.componentId = componentId;
     hear(parts);
