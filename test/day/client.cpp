@@ -93,38 +93,13 @@ struct Beside {
 };
 alignas(16) uint8_t besideMemory[sizeof(Beside)];
 char name[17];
-
-// True if the word was one of these.
-bool orderBeside(const std::string& what, Words& words, Status& status) {
-  Beside& beside = *reinterpret_cast<Beside*>(besideMemory);
-  if (what == "intervalof") {  // message, us
-    const uint16_t message = static_cast<uint16_t>(words.number());
-    status = client().setMessageInterval(message, static_cast<int32_t>(words.number()));
-  } else if (what == "param") {  // name
-    strncpy(name, words.word().c_str(), sizeof(name) - 1);
-    status = beside.parameters.read(name);
-  } else if (what == "setparam") {  // name, number
-    strncpy(name, words.word().c_str(), sizeof(name) - 1);
-    status = beside.parameters.setWhole(name, static_cast<int32_t>(words.number()));
-  } else if (what == "standard") {
-    status = beside.modes.set(static_cast<StandardMode>(words.number()));
-  } else if (what == "entry") {
-    status = beside.modes.read(static_cast<uint8_t>(words.number()));
-  } else if (what == "speed") {
-    status = beside.steering.setSpeed(MetresPerSecond(static_cast<float>(words.number())));
-  } else if (what == "hold") {
-    status = beside.steering.pause();
-  } else if (what == "goTo") {  // 1e-7 degrees
-    const int32_t latitude = static_cast<int32_t>(words.number());
-    const int32_t longitude = static_cast<int32_t>(words.number());
-    const LatLon place = {Degrees::fromE7(latitude), Degrees::fromE7(longitude)};
-    status = beside.steering.goTo(place, aboveHome(0.0_m));
-  } else {
-    return false;
-  }
-  return true;
-}
 #endif
+
+// The numbers that stand behind an order; what they are stands beside it.
+constexpr size_t kNumbers = 3;
+typedef unsigned long long Numbers[kNumbers];
+
+ItemSource items(unsigned long long count) { return inRam(plan, static_cast<uint16_t>(count)); }
 
 void onEnd(void*, Status) { ++ended; }
 void onReached(void*, uint16_t) { ++reached; }
@@ -196,63 +171,62 @@ void setPlan(Words& words) {
   puts("ok");
 }
 
-PlanType typeOf(Words& words) { return static_cast<PlanType>(words.number()); }
+Status ordered(const std::string& what, const Numbers& numbers) {
+  const PlanType type = static_cast<PlanType>(numbers[0]);
+  const uint16_t first = static_cast<uint16_t>(numbers[0]), second = static_cast<uint16_t>(numbers[1]);
+  // Type, items, Readback; items, first, count; type and items; type.
+  if (what == "upload" && numbers[2] == 0) return client().uploadWithoutReadback(items(second), type);
+  if (what == "upload") return client().upload(items(second), type, static_cast<Readback>(numbers[2]));
+  if (what == "again") return client().uploadAgain();
+  if (what == "part") return client().uploadPartial(items(first), second, static_cast<uint16_t>(numbers[2]));
+  if (what == "verify") return client().verify(items(second), type);
+  if (what == "ensure") return client().ensure(items(second), type);
+  if (what == "download") return client().download(toFunction(takeItem, nullptr, kPlanItems), type);
+  if (what == "clear") return client().clear(type);
+  if (what == "start") return client().start();
+  if (what == "arm") return client().arm();
+  if (what == "disarm") return client().disarm();
+  if (what == "mode") return client().setMode(static_cast<FlightMode>(first));
+  if (what == "setcurrent") return client().setCurrentItem(first);
+  if (what == "interval") return client().setMessageInterval(33, static_cast<int32_t>(numbers[0]));
+  if (what == "order") {  // of a command of the sketch's own
+    command = flightCommand(first);
+    return client().send(command);
+  }
+  if (what == "cancel") client().cancel();
+#ifdef CLIENT_BESIDE
+  Beside& beside = *reinterpret_cast<Beside*>(besideMemory);
+  const int32_t latitude = static_cast<int32_t>(numbers[0]),
+                longitude = static_cast<int32_t>(numbers[1]);  // [1e-7 deg]
+  const LatLon place = {Degrees::fromE7(latitude), Degrees::fromE7(longitude)};
+  if (what == "intervalof") return client().setMessageInterval(first, static_cast<int32_t>(numbers[1]));  // message, us
+  if (what == "param") return beside.parameters.read(name);
+  if (what == "setparam") return beside.parameters.setWhole(name, static_cast<int32_t>(numbers[1]));
+  if (what == "standard") return beside.modes.set(static_cast<StandardMode>(first));
+  if (what == "entry") return beside.modes.read(static_cast<uint8_t>(first));
+  if (what == "speed") return beside.steering.setSpeed(MetresPerSecond(static_cast<float>(first)));
+  if (what == "hold") return beside.steering.pause();
+  if (what == "goTo") return beside.steering.goTo(place, aboveHome(0.0_m));
+#endif
+  return Status::Idle;
+}
 
-// An order and its numbers; the status that it begins with.
+// An order and its numbers, or the name of a parameter; the status that it begins with.
 void order(Words& words) {
   const std::string what = words.word();
-  Status status = Status::Idle;
-  sunkCount = 0;
-  {
-    if (what == "upload") {  // type, items, Readback
-      const PlanType type = typeOf(words);
-      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
-      const unsigned proof = static_cast<unsigned>(words.number());
-      const Counting counting;
-      status = proof == 0 ? client().uploadWithoutReadback(source, type)
-                          : client().upload(source, type, static_cast<Readback>(proof));
-    } else if (what == "again") {
-      const Counting counting;
-      status = client().uploadAgain();
-    } else if (what == "part") {  // items, first, count
-      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
-      const uint16_t first = static_cast<uint16_t>(words.number());
-      const uint16_t count = static_cast<uint16_t>(words.number());
-      const Counting counting;
-      status = client().uploadPartial(source, first, count);
-    } else if (what == "verify") {  // type, items
-      const PlanType type = typeOf(words);
-      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
-      const Counting counting;
-      status = client().verify(source, type);
-    } else if (what == "ensure") {  // type, items
-      const PlanType type = typeOf(words);
-      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
-      const Counting counting;
-      status = client().ensure(source, type);
-    } else if (what == "download") {  // type
-      const PlanType type = typeOf(words);
-      const Counting counting;
-      status = client().download(toFunction(takeItem, nullptr, kPlanItems), type);
+  Numbers numbers;
+  for (size_t i = 0; i < kNumbers; ++i) {
+    const std::string word = words.word();
+    numbers[i] = strtoull(word.c_str(), nullptr, 10);
 #ifdef CLIENT_BESIDE
-    } else if (orderBeside(what, words, status)) {
+    if (i == 0 && what.find("param") != std::string::npos) strncpy(name, word.c_str(), sizeof(name) - 1);
 #endif
-    } else {
-      const unsigned long long number = words.number();
-      const Counting counting;
-      if (what == "clear") status = client().clear(static_cast<PlanType>(number));
-      if (what == "start") status = client().start();
-      if (what == "arm") status = client().arm();
-      if (what == "disarm") status = client().disarm();
-      if (what == "mode") status = client().setMode(static_cast<FlightMode>(number));
-      if (what == "setcurrent") status = client().setCurrentItem(static_cast<uint16_t>(number));
-      if (what == "interval") status = client().setMessageInterval(33, static_cast<int32_t>(number));
-      if (what == "order") {  // of a command of the sketch's own
-        command = flightCommand(static_cast<uint16_t>(number));
-        status = client().send(command);
-      }
-      if (what == "cancel") client().cancel();
-    }
+  }
+  sunkCount = 0;
+  Status status;
+  {
+    const Counting counting;
+    status = ordered(what, numbers);
   }
   printf("%d\n", static_cast<int>(status));
 }

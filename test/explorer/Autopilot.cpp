@@ -7,18 +7,24 @@
 #include "Plans.h"
 
 namespace {
+
 void passOf(uint16_t& left, uint16_t ms) {
   if (left != kNever) left = left > ms ? static_cast<uint16_t>(left - ms) : 0;
 }
+
 }  // namespace
 
 uint16_t Autopilot::nextMs() const { return std::min({asksInMs, givesUpInMs, acceptsInMs, bootsInMs}); }
 
+void Autopilot::begin(Firmwares which, uint8_t kind) {
+  memset(static_cast<void*>(this), 0, sizeof(*this));
+  firmware = which;
+  type = kind;
+  asksInMs = givesUpInMs = acceptsInMs = bootsInMs = kNever;
+}
+
 void Autopilot::pass(uint16_t ms) {
-  passOf(asksInMs, ms);
-  passOf(givesUpInMs, ms);
-  passOf(acceptsInMs, ms);
-  passOf(bootsInMs, ms);
+  for (uint16_t* left : {&asksInMs, &givesUpInMs, &acceptsInMs, &bootsInMs}) passOf(*left, ms);
 }
 
 void Autopilot::hear(const Message& message, Answers& answers) {
@@ -54,24 +60,61 @@ void Autopilot::act(Answers& answers) {
   for (int i = before; i < answers.count; ++i) answers.messages[i].type = type;
 }
 
-void Autopilot::reboot() {
+uint16_t Autopilot::asksAgainMs() const {
+  constexpr uint16_t kByFirmware[] = {1000, 1000, 265, 500, 1500, 1000};
+  return kByFirmware[static_cast<int>(firmware)];
+}
+
+void Autopilot::ask(Answers& answers) {
+  asksInMs = asksAgainMs();
+  answers.add(message(Kind::Request, expected));
+}
+
+void Autopilot::goIdle() {
   state = State::Idle;
-  expected = count = hasPartner = isUploadOpen = requests = 0;
-  if (firmware == Firmwares::Px4) hasTransfer = type == kMission;
+  asksInMs = givesUpInMs = kNever;
+}
+
+void Autopilot::forget() {
+  goIdle();
+  expected = count = requests = 0;
   memset(staged, 0, sizeof(staged));
+}
+
+void Autopilot::reboot() {
+  forget();
+  hasPartner = isUploadOpen = 0;
+  if (firmware == Firmwares::Px4) hasTransfer = type == kMission;
   stagedSum = 0;
-  asksInMs = givesUpInMs = acceptsInMs = kNever;
+  acceptsInMs = kNever;
   bootsInMs = kBootMs;
 }
 
+void Autopilot::keep(uint16_t items, uint32_t sum) {
+  memset(held, 0, sizeof(held));
+  memcpy(held, staged, items);
+  heldCount = items;
+  heldSum = sum;
+}
+
 void Autopilot::hold(uint8_t plan, uint16_t items) {
-  uint8_t* to = held;
   hasTransfer = type == kMission;
-  if (isArduPilot(firmware) && type == kMission && items != 0) *to++ = kHome;
-  for (uint16_t i = 0; i < items; ++i) {
-    *to++ = itemOf(plan, i);
-    heldSum = checksummed(heldSum, itemOf(plan, i), type);
+  heldCount = wireCount(items, firmware, type);
+  for (uint16_t i = 0; i < heldCount; ++i) {
+    held[i] = wireItem(plan, i, firmware, type);
+    if (firmware == Firmwares::Px4) heldSum = checksummed(heldSum, held[i], type);
   }
-  heldCount = static_cast<uint16_t>(to - held);
-  if (firmware != Firmwares::Px4) heldSum = 0;
+}
+
+bool Autopilot::holds(uint8_t plan, uint16_t items) const {
+  if (items == 0 && heldCount == 1 && hasHome(firmware, type)) return true;
+  if (heldCount != wireCount(items, firmware, type)) return false;
+  for (uint16_t i = 0; i < heldCount; ++i) {
+    if (held[i] != wireItem(plan, i, firmware, type)) return false;
+  }
+  return true;
+}
+
+bool Autopilot::holdsAs(const Autopilot& other) const {
+  return heldCount == other.heldCount && memcmp(held, other.held, sizeof(held)) == 0;
 }

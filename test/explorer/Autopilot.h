@@ -13,6 +13,7 @@ struct Answers {
   Message messages[kMostHeld + 1];
   int count = 0;
   void add(const Message& message) { messages[count++] = message; }
+  void acknowledge(Result result, uint32_t opaqueId = 0) { add(message(Kind::Ack, result, 0, opaqueId)); }
 };
 
 // One kind of plan (MAV_MISSION_TYPE), and the transfer of it. ArduPilot has one transfer for each kind, side by side;
@@ -44,7 +45,8 @@ struct Autopilot {
   uint32_t heldSum;  // PX4: opaque_id
   uint32_t stagedSum;
 
-  bool isIdle() const { return state == State::Idle && acceptsInMs == kNever; }
+  // With nothing aboard. `kind`: MAV_MISSION_TYPE.
+  void begin(Firmwares firmware, uint8_t kind);
   // The next moment at which it does something of its own accord [ms from now].
   uint16_t nextMs() const;
   void pass(uint16_t ms);
@@ -53,7 +55,19 @@ struct Autopilot {
   void act(Answers& answers);
   // Forgets every transfer, keeps the plan.
   void reboot();
-  void hold(uint8_t plan, uint16_t count);
+  void hold(uint8_t plan, uint16_t items);
+  // True if this plan is aboard, or the one that is aboard there.
+  bool holds(uint8_t plan, uint16_t items) const;
+  bool holdsAs(const Autopilot& other) const;
+
+  // What the models have in common. For the item that it waits for it asks, and again later.
+  void ask(Answers& answers);
+  uint16_t asksAgainMs() const;
+  void goIdle();
+  // Of its transfer it then knows nothing any more.
+  void forget();
+  // So many of the items that were staged are aboard.
+  void keep(uint16_t items, uint32_t sum = 0);
 };
 static_assert(std::has_unique_object_representations<Autopilot>::value, "folded by its bytes");
 

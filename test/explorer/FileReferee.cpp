@@ -190,13 +190,12 @@ void FileReferee::heard(const Message& message) {
 
 const char* FileReferee::untrue(Status status, Aboard said, const Task& task, const Autopilot& autopilot,
                                 const Autopilot* before) const {
-  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  const bool isMeant = autopilot.holds(task.plan, task.items);
   const bool isUpload = task.operation == Operation::FileUpload;
   const bool isAboutThis = isUpload ? hasSent != 0 : status == Status::Verified;  // something was sent
   if (said == Aboard::OurPlan && isAboutThis && !isMeant) return "aboard() says our plan, and it is not";
   if (!isUpload || !isAboutThis) return nullptr;
-  const bool isOld = before == nullptr || (autopilot.heldCount == before->heldCount &&
-                                           memcmp(autopilot.held, before->held, sizeof(before->held)) == 0);
+  const bool isOld = before == nullptr || autopilot.holdsAs(*before);
   switch (said) {
     case Aboard::OurPlan: return nullptr;
     case Aboard::AsBefore: return isOld ? nullptr : "aboard() says as before, and it is not";
@@ -209,7 +208,7 @@ const char* FileReferee::untrue(Status status, Aboard said, const Task& task, co
 const char* FileReferee::end(Status status, Aboard said, const Referee& referee, const Autopilot& autopilot,
                              const Autopilot* before) {
   const Task& task = referee.task;
-  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  const bool isMeant = autopilot.holds(task.plan, task.items);
   const bool isUpload = task.operation == Operation::FileUpload;
   isRunning = false;
   mayCancel = status == Status::Cancelled && isClosed;

@@ -7,10 +7,7 @@
 // 1500 ms, five times; idle, it says nothing to an item. It does not know MISSION_REQUEST.
 // Inav: each item replaces one of the plan aboard, and what is behind it; it asks again after 1000 ms, and when the
 // item before comes again; any other ends the upload.
-#include <string.h>
-
 #include "Autopilot.h"
-#include "Plans.h"
 
 namespace {
 
@@ -20,67 +17,43 @@ typedef Autopilot::State State;
 
 bool isBetaflight(const Autopilot& autopilot) { return autopilot.firmware == Firmwares::Betaflight; }
 bool isInav(const Autopilot& autopilot) { return autopilot.firmware == Firmwares::Inav; }
-uint16_t asksAgainMs(const Autopilot& autopilot) {
-  return isBetaflight(autopilot) ? 1500 : isInav(autopilot) ? 1000 : 500;
-}
-
-void acknowledge(Answers& answers, Result result) { answers.add(message(Kind::Ack, result)); }
-
-void ask(Autopilot& autopilot, Answers& answers) {
-  autopilot.asksInMs = asksAgainMs(autopilot);
-  answers.add(message(Kind::Request, autopilot.expected));
-}
-
-void goIdle(Autopilot& autopilot) {
-  autopilot.state = State::Idle;
-  autopilot.expected = autopilot.count = 0;
-  autopilot.requests = 0;
-  autopilot.asksInMs = autopilot.givesUpInMs = kNever;
-  memset(autopilot.staged, 0, sizeof(autopilot.staged));
-}
 
 void end(Autopilot& autopilot, Answers& answers, Result result) {
-  goIdle(autopilot);
-  acknowledge(answers, result);
-}
-
-void hold(Autopilot& autopilot, uint16_t count) {
-  memset(autopilot.held, 0, sizeof(autopilot.held));
-  memcpy(autopilot.held, autopilot.staged, count);
-  autopilot.heldCount = count;
+  autopilot.forget();
+  answers.acknowledge(result);
 }
 
 void hearCount(Autopilot& autopilot, uint16_t count, Answers& answers) {
-  goIdle(autopilot);
-  if (isBetaflight(autopilot) || count == 0) hold(autopilot, 0);
-  if (count == 0) return acknowledge(answers, kAccepted);
+  autopilot.forget();
+  if (isBetaflight(autopilot) || count == 0) autopilot.keep(0);
+  if (count == 0) return answers.acknowledge(kAccepted);
   autopilot.state = State::Receiving;
   autopilot.count = count;
-  ask(autopilot, answers);
+  autopilot.ask(answers);
 }
 
 void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
   if (autopilot.state != State::Receiving) {
-    if (!isBetaflight(autopilot)) acknowledge(answers, kInvalidSequence);
+    if (!isBetaflight(autopilot)) answers.acknowledge(kInvalidSequence);
     return;
   }
   if (item.number != autopilot.expected && isBetaflight(autopilot)) return end(autopilot, answers, kInvalidSequence);
   autopilot.requests = 0;
-  autopilot.asksInMs = asksAgainMs(autopilot);
+  autopilot.asksInMs = autopilot.asksAgainMs();
   if (item.number != autopilot.expected) {
     if (!isInav(autopilot)) return;
-    if (item.number + 1 == autopilot.expected) return ask(autopilot, answers);
+    if (item.number + 1 == autopilot.expected) return autopilot.ask(answers);
     return end(autopilot, answers, kInvalidSequence);
   }
   autopilot.staged[autopilot.expected++] = item.item;
-  if (isInav(autopilot)) hold(autopilot, autopilot.expected);
-  if (autopilot.expected < autopilot.count) return ask(autopilot, answers);
-  hold(autopilot, autopilot.count);
+  if (isInav(autopilot)) autopilot.keep(autopilot.expected);
+  if (autopilot.expected < autopilot.count) return autopilot.ask(answers);
+  autopilot.keep(autopilot.count);
   end(autopilot, answers, kAccepted);
 }
 
 void hearList(Autopilot& autopilot, Answers& answers) {
-  goIdle(autopilot);
+  autopilot.forget();
   autopilot.state = State::Sending;
   autopilot.givesUpInMs = kReadingEndsMs;
   answers.add(message(Kind::Count, autopilot.heldCount));
@@ -104,15 +77,15 @@ void hearAsGeneric(Autopilot& autopilot, const Message& heard, Answers& answers)
     case Kind::Item: return hearItem(autopilot, heard, answers);
     case Kind::Request: return hearRequest(autopilot, heard.number, answers);
     case Kind::OlderRequest:
-      if (!isBetaflight(autopilot)) acknowledge(answers, kUnsupported);
+      if (!isBetaflight(autopilot)) answers.acknowledge(kUnsupported);
       return;
     case Kind::List: return hearList(autopilot, answers);
     case Kind::ClearAll:
-      goIdle(autopilot);
-      hold(autopilot, 0);
-      return acknowledge(answers, kAccepted);
+      autopilot.forget();
+      autopilot.keep(0);
+      return answers.acknowledge(kAccepted);
     case Kind::Ack:
-      if (autopilot.state == State::Sending) goIdle(autopilot);
+      if (autopilot.state == State::Sending) autopilot.forget();
       return;
     case Kind::Heartbeat:
     case Kind::File:
@@ -121,9 +94,9 @@ void hearAsGeneric(Autopilot& autopilot, const Message& heard, Answers& answers)
 }
 
 void actAsGeneric(Autopilot& autopilot, Answers& answers) {
-  if (autopilot.givesUpInMs == 0) return goIdle(autopilot);
+  if (autopilot.givesUpInMs == 0) return autopilot.forget();
   if (autopilot.asksInMs != 0) return;
   if (autopilot.requests == kMostRequests) return end(autopilot, answers, kCancelled);
   ++autopilot.requests;
-  ask(autopilot, answers);
+  autopilot.ask(answers);
 }

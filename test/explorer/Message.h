@@ -62,8 +62,9 @@ inline Message message(Kind kind, uint16_t number = 0, uint8_t item = 0, uint32_
 std::string inWords(const Message& message);
 
 // The frame of a message that this autopilot (system 1, component 1) sends to the client (1, 191).
+FrameParts partsOf(const Message& message, Firmwares firmware);
 const Bytes& frameOf(const Message& message, Firmwares firmware);
 
 // The message in a frame of the client's. Null, or what is wrong with the frame: its checksum, length, sender or
 // target, a field that must be 0, an item that is in no plan, a message that has no place in these operations.
-const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Message& message);
+const char* decode(const Bytes& frame, Firmwares firmware, Message& message);

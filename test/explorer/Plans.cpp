@@ -1,7 +1,6 @@
 #include "Plans.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "Px4Checksum.h"
 #include "mavmission/base/MavlinkHeaders.h"
@@ -19,8 +18,7 @@ int32_t latitudeOf(uint8_t item) { return kLatitudeE7 + 1000 * item; }
 
 // A waypoint, a circle of a fence or a rally point.
 mavlink_mission_item_int_t placeOf(uint8_t item, uint8_t type, Firmwares firmware) {
-  mavlink_mission_item_int_t message;
-  memset(&message, 0, sizeof(message));
+  mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
   message.command = item == kHome ? MAV_CMD_CONDITION_DELAY : MAV_CMD_NAV_WAYPOINT;
   message.autocontinue = 1;
   if (item == kHome) return message;
@@ -80,12 +78,12 @@ Bytes payloadOf(uint8_t item, uint16_t sequence, uint8_t type, Firmwares firmwar
 }
 
 uint8_t itemIn(const Bytes& payload, Firmwares firmware) {
-  mavlink_mission_item_int_t message;
-  memcpy(&message, payload.data(), sizeof(message));
+  const mavlink_mission_item_int_t message = messageIn<mavlink_mission_item_int_t>(payload);
   const int32_t steps = (message.x - kLatitudeE7) / 1000;
   const uint8_t item = message.x == 0 ? kHome : static_cast<uint8_t>(steps);
   if (item == kNoItemAtAll || (message.x != 0 && (steps < 0 || steps > 255))) return kNoItemAtAll;
-  return payload == payloadOf(item, message.seq, message.mission_type, firmware, false) ? item : kNoItemAtAll;
+  const Bytes meant = payloadOf(item, message.seq, message.mission_type, firmware, false);
+  return bytesOf(message) == meant ? item : kNoItemAtAll;
 }
 
 uint8_t itemDownloaded(const MissionItem& item, bool isHome, uint8_t type) {

@@ -15,6 +15,16 @@ constexpr uint16_t kMostItems = kMostHeld - 1;
 // In a longer plan every 14th item is the same: a plan that is shifted by a few items differs all the same.
 constexpr uint8_t itemOf(uint8_t plan, uint16_t index) { return static_cast<uint8_t>(16 * plan + 1 + index % 14); }
 
+// The plan on the wire, where ArduPilot's missions begin with home: how many items it has there, and each of them.
+inline bool hasHome(Firmwares firmware, uint8_t type) { return isArduPilot(firmware) && type == kMission; }
+inline uint16_t wireCount(uint16_t items, Firmwares firmware, uint8_t type) {
+  return static_cast<uint16_t>(items + (items != 0 && hasHome(firmware, type)));
+}
+inline uint8_t wireItem(uint8_t plan, uint16_t number, Firmwares firmware, uint8_t type) {
+  if (!hasHome(firmware, type)) return itemOf(plan, number);
+  return number == 0 ? kHome : itemOf(plan, static_cast<uint16_t>(number - 1));
+}
+
 // The items as a sketch writes them, by MAV_MISSION_TYPE.
 const mavmission::MissionItem* sketchPlan(uint8_t plan, uint8_t type);
 

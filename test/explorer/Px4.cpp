@@ -8,43 +8,22 @@
 
 namespace {
 
-constexpr uint16_t kAsksAgainMs = 265, kGivesUpMs = 5080;  // 5 s and the wait for its next round
+constexpr uint16_t kGivesUpMs = 5080;  // 5 s and the wait for its next round
 typedef Autopilot::State State;
 
-void acknowledge(Answers& answers, Result result, uint32_t opaqueId = 0) {
-  answers.add(message(Kind::Ack, result, 0, opaqueId));
-}
-
-void ask(Autopilot& autopilot, Answers& answers) {
-  autopilot.asksInMs = kAsksAgainMs;
-  answers.add(message(Kind::Request, autopilot.expected));
-}
-
-void goIdle(Autopilot& autopilot) {
-  autopilot.state = State::Idle;
-  autopilot.asksInMs = autopilot.givesUpInMs = kNever;
-}
-
-void hold(Autopilot& autopilot, const uint8_t* items, uint16_t count, uint32_t sum) {
-  memset(autopilot.held, 0, sizeof(autopilot.held));
-  memcpy(autopilot.held, items, count);
-  autopilot.heldCount = count;
-  autopilot.heldSum = sum;
-}
-
 void hearCount(Autopilot& autopilot, uint16_t count, Answers& answers) {
-  if (autopilot.state == State::Sending) return acknowledge(answers, kError);
+  if (autopilot.state == State::Sending) return answers.acknowledge(kError);
   if (autopilot.state == State::Receiving) {
     autopilot.givesUpInMs = kGivesUpMs;
-    if (autopilot.expected != 0) return acknowledge(answers, kError);  // "REJ. CMD: Busy", and the transfer goes on
-    return ask(autopilot, answers);
+    if (autopilot.expected != 0) return answers.acknowledge(kError);  // "REJ. CMD: Busy", and the transfer goes on
+    return autopilot.ask(answers);
   }
-  if (autopilot.isUploadOpen) return acknowledge(answers, kError);
+  if (autopilot.isUploadOpen) return answers.acknowledge(kError);
   autopilot.hasPartner = true;
   autopilot.stagedSum = 0;
   if (count == 0) {
-    hold(autopilot, nullptr, 0, 0);
-    return acknowledge(answers, kAccepted);
+    autopilot.keep(0);
+    return answers.acknowledge(kAccepted);
   }
   autopilot.isUploadOpen = true;
   autopilot.state = State::Receiving;
@@ -52,31 +31,31 @@ void hearCount(Autopilot& autopilot, uint16_t count, Answers& answers) {
   autopilot.count = count;
   memset(autopilot.staged, 0, sizeof(autopilot.staged));
   autopilot.givesUpInMs = kGivesUpMs;
-  ask(autopilot, answers);
+  autopilot.ask(answers);
 }
 
 void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
   if (!autopilot.hasPartner) return;
   if (autopilot.state == State::Idle) {
     const bool isRepeated = autopilot.expected == item.number + 1;
-    return acknowledge(answers, isRepeated ? kAccepted : kError, isRepeated ? autopilot.stagedSum : 0);
+    return answers.acknowledge(isRepeated ? kAccepted : kError, isRepeated ? autopilot.stagedSum : 0);
   }
-  if (autopilot.state == State::Sending) return acknowledge(answers, kError);
+  if (autopilot.state == State::Sending) return answers.acknowledge(kError);
   autopilot.givesUpInMs = kGivesUpMs;
   if (item.number != autopilot.expected) return;
   autopilot.stagedSum = checksummed(autopilot.stagedSum, item.item, autopilot.type);
   autopilot.staged[autopilot.expected++] = item.item;
-  if (autopilot.expected < autopilot.count) return ask(autopilot, answers);
-  goIdle(autopilot);
+  if (autopilot.expected < autopilot.count) return autopilot.ask(answers);
+  autopilot.goIdle();
   autopilot.isUploadOpen = false;
-  hold(autopilot, autopilot.staged, autopilot.count, autopilot.stagedSum);
-  acknowledge(answers, kAccepted, autopilot.stagedSum);
+  autopilot.keep(autopilot.count, autopilot.stagedSum);
+  answers.acknowledge(kAccepted, autopilot.stagedSum);
 }
 
 void hearList(Autopilot& autopilot, Answers& answers) {
   // All of an earlier download was sent, only its ACK is missing. It also is so when an upload happens to have come
   // just as far as the old plan is long: that is dropped.
-  if (autopilot.expected == autopilot.heldCount) goIdle(autopilot);
+  if (autopilot.expected == autopilot.heldCount) autopilot.goIdle();
   if (autopilot.state == State::Receiving) return;
   autopilot.state = State::Sending;
   autopilot.hasPartner = true;
@@ -93,17 +72,17 @@ void hearRequest(Autopilot& autopilot, uint16_t number, Answers& answers) {
   const bool isNext = number == autopilot.expected && autopilot.expected < autopilot.count;
   if (isNext) ++autopilot.expected;
   if ((!isNext && number + 1 != autopilot.expected) || number >= autopilot.heldCount) {
-    goIdle(autopilot);
-    return acknowledge(answers, kError);
+    autopilot.goIdle();
+    return answers.acknowledge(kError);
   }
   answers.add(message(Kind::Item, number, autopilot.held[number]));
 }
 
 void hearAck(Autopilot& autopilot, uint16_t result) {
   if (!autopilot.hasPartner) return;
-  if (autopilot.state == State::Sending) return goIdle(autopilot);
+  if (autopilot.state == State::Sending) return autopilot.goIdle();
   if (autopilot.state != State::Receiving || result != kCancelled) return;
-  goIdle(autopilot);
+  autopilot.goIdle();
   autopilot.isUploadOpen = false;
 }
 
@@ -132,13 +111,10 @@ void hearAsPx4(Autopilot& autopilot, const Message& heard, Answers& answers) {
     case Kind::List: return hearList(autopilot, answers);
     case Kind::ClearAll:
       if (autopilot.state != State::Idle) return;  // without a word
-      hold(autopilot, nullptr, 0, 0);
-      return acknowledge(answers, kAccepted);
+      autopilot.keep(0);
+      return answers.acknowledge(kAccepted);
     case Kind::Ack: return hearAck(autopilot, heard.number);
-    case Kind::OlderRequest:
-    case Kind::Heartbeat:
-    case Kind::File:
-    case Kind::FileReply: return;
+    default: return;
   }
 }
 
@@ -149,23 +125,19 @@ void hearAsPx4OfKinds(Autopilot& has, Autopilot& other, const Message& heard, An
       if (has.state != State::Idle || has.isUploadOpen) return hearAsPx4(has, heard, answers);  // asks, or is busy
       break;
     case Kind::List:
-      if (has.expected == has.heldCount) goIdle(has);
+      if (has.expected == has.heldCount) has.goIdle();
       if (has.state != State::Idle) return;
       break;
     case Kind::ClearAll:
       if (has.state != State::Idle) return;
       break;
     case Kind::Item:
-      if (has.hasPartner) acknowledge(answers, kError);
+      if (has.hasPartner) answers.acknowledge(kError);
       return;
     case Kind::Ack:
       if (has.state == State::Receiving) hearAck(has, heard.number);
       return;
-    case Kind::Request:
-    case Kind::OlderRequest:
-    case Kind::Heartbeat:
-    case Kind::File:
-    case Kind::FileReply: return;
+    default: return;
   }
   handOver(has, other);
   hearAsPx4(other, heard, answers);
@@ -173,9 +145,9 @@ void hearAsPx4OfKinds(Autopilot& has, Autopilot& other, const Message& heard, An
 
 void actAsPx4(Autopilot& autopilot, Answers& answers) {
   if (autopilot.givesUpInMs == 0) {
-    goIdle(autopilot);
+    autopilot.goIdle();
     autopilot.isUploadOpen = false;
     return;
   }
-  if (autopilot.asksInMs == 0) ask(autopilot, answers);
+  if (autopilot.asksInMs == 0) autopilot.ask(answers);
 }

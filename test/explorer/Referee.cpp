@@ -20,29 +20,7 @@ uint32_t sum(const Task& task) {
   return sum;
 }
 
-bool hasHome(Firmwares firmware, uint8_t type) { return isArduPilot(firmware) && type == kMission; }
-
-uint8_t onTheWire(uint8_t plan, uint8_t number, Firmwares firmware, uint8_t type) {
-  if (!hasHome(firmware, type)) return itemOf(plan, number);
-  return number == 0 ? kHome : itemOf(plan, static_cast<uint8_t>(number - 1));
-}
-
-uint8_t wireCount(uint8_t items, Firmwares firmware, uint8_t type) {
-  return static_cast<uint8_t>(!hasHome(firmware, type) || items == 0 ? items : items + 1);
-}
-
 }  // namespace
-
-bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items) {
-  const uint8_t count = wireCount(items, autopilot.firmware, autopilot.type);
-  if (items == 0 && autopilot.heldCount == 1 && autopilot.type == kMission && isArduPilot(autopilot.firmware))
-    return true;
-  if (autopilot.heldCount != count) return false;
-  for (uint8_t i = 0; i < count; ++i) {
-    if (autopilot.held[i] != onTheWire(plan, i, autopilot.firmware, autopilot.type)) return false;
-  }
-  return true;
-}
 
 void Referee::begin(const Task& what, Firmwares firmware) {
   const uint8_t owed = owesCancel, hasEnded = hasEndedOne;
@@ -51,7 +29,7 @@ void Referee::begin(const Task& what, Firmwares firmware) {
   owesCancel = owed;
   hasEndedBefore = hasEnded;
   isRunning = true;
-  items = wireCount(what.items, firmware, what.type);
+  items = static_cast<uint8_t>(wireCount(what.items, firmware, what.type));
   isLooking = what.operation == Operation::Ensure;
   isReading = isLooking || what.operation == Operation::Download || what.operation == Operation::Verify;
 }
@@ -343,7 +321,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
 // What aboard() says is about the last operation that can tell: only where it is about this one it is looked at.
 const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& autopilot,
                                   const Autopilot* before) const {
-  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  const bool isMeant = autopilot.holds(task.plan, task.items);
   switch (said) {
     case Aboard::OurPlan:
       if (task.operation == Operation::Clear && clears != 0) return "aboard() says our plan, and CLEAR_ALL has left";
@@ -354,10 +332,7 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
       return autopilot.heldCount == 0 ? nullptr : "aboard() says no plan, and there is one";
     case Aboard::AsBefore:
       if (!isUpload() || before == nullptr) return nullptr;
-      if (autopilot.heldCount == before->heldCount && memcmp(autopilot.held, before->held, sizeof(before->held)) == 0) {
-        return nullptr;
-      }
-      return "aboard() says as before, and it is not";
+      return autopilot.holdsAs(*before) ? nullptr : "aboard() says as before, and it is not";
     case Aboard::Mixture:
       return isArduPilot(autopilot.firmware) ? nullptr : "aboard() says a mixture, and this autopilot holds none";
     case Aboard::OtherPlan: return "aboard() says somebody else's plan, and there is nobody else";
@@ -368,7 +343,7 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
 
 const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot, const Autopilot* before,
                          bool lineRepeats) {
-  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  const bool isMeant = autopilot.holds(task.plan, task.items);
   const bool wasTransferring = (isUpload() || isReading) && hasSent;
   isRunning = false;
   hasEndedOne = true;
@@ -397,7 +372,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (isLooking) return "Accepted, and nothing was uploaded";
       if (isHurried == kHurriedBefore && task.operation != Operation::Upload && !isClosed && !isPx4(autopilot.firmware))
         return "Accepted on a lossy link, and not read back";
-      if (task.operation == Operation::Ensure && before != nullptr && isAboard(*before, task.plan, task.items)) {
+      if (task.operation == Operation::Ensure && before != nullptr && before->holds(task.plan, task.items)) {
         return "a plan that was aboard is uploaded again";
       }
       return isMeant ? nullptr : "Accepted, and the plan aboard is not the plan meant";

@@ -113,6 +113,3 @@ struct Referee {
   const char* sentInReading(const Message& message, Firmwares firmware);
 };
 static_assert(std::has_unique_object_representations<Referee>::value, "folded by its bytes");
-
-// True if the plan aboard is this one.
-bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items);

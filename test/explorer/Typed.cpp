@@ -7,6 +7,7 @@
 #include <random>
 
 #include "ClientOnLine.h"
+#include "PlanFrames.h"
 #include "Plans.h"
 #include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/console/PlanConsole.h"
@@ -217,11 +218,8 @@ class Terminal {
         firmware_(firmware),
         station_(isPx4() ? ClientOnLine::kPx4 : ClientOnLine::kArduPilot) {
     memory.assign(400, 0xFF);
-    memset(static_cast<void*>(&autopilot_), 0, sizeof(autopilot_));
-    autopilot_.firmware = beside_.firmware = firmware;
-    autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
-    beside_ = autopilot_;
-    beside_.type = kRally;
+    autopilot_.begin(firmware, kMission);
+    beside_.begin(firmware, kRally);
     beside_.hold(0, 0);
     autopilot_.hold(0, static_cast<uint16_t>(random_.below(5)));
     station_.beats = station_.saysVehicle = false;
@@ -383,43 +381,25 @@ class Terminal {
 
   // --- The autopilot
 
-  void speak(const Bytes& frame) {
-    Bytes bytes = frame;
-    const uint16_t id = static_cast<uint16_t>(bytes[7] | bytes[8] << 8);
-    bytes[4] = sequence_++;
-    uint16_t crc = X25_INIT_CRC;
-    for (size_t i = 1; i < bytes.size() - 2; ++i) crc_accumulate(bytes[i], &crc);
-    crc_accumulate(mavlink_get_msg_entry(id)->crc_extra, &crc);
-    bytes[bytes.size() - 2] = static_cast<uint8_t>(crc & 0xFF);
-    bytes[bytes.size() - 1] = static_cast<uint8_t>(crc >> 8);
-    send(toClient_, bytes);
-  }
-
-  template <typename T>
-  void speak(uint16_t id, const T& message) {
-    const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-    speak(packed(FrameParts(id, Bytes(begin, begin + sizeof(message)), mavlink_get_msg_entry(id)->crc_extra)));
+  void speak(FrameParts parts) {
+    parts.sequence = sequence_++;
+    send(toClient_, packed(parts));
   }
 
   void answer(const Answers& answers) {
     for (int i = 0; i < answers.count; ++i) {
       say("autopilot: " + inWords(answers.messages[i]));
-      speak(frameOf(answers.messages[i], firmware_));
+      speak(partsOf(answers.messages[i], firmware_));
     }
   }
 
   void sayCurrent(uint16_t item) {
-    mavlink_mission_current_t message = mavlink_mission_current_t();
-    message.seq = item;
     const uint16_t home = !isPx4() && autopilot_.heldCount != 0;
-    message.total = static_cast<uint16_t>(autopilot_.heldCount - home);
-    message.mission_state = aircraft_.isArmed ? MISSION_STATE_ACTIVE : MISSION_STATE_NOT_STARTED;
-    message.mission_id = autopilot_.heldSum;
-    if (message.total == 0) {
-      message.mission_state = MISSION_STATE_NO_MISSION;
-      if (isPx4()) message.total = 65535;
-    }
-    speak(MAVLINK_MSG_ID_MISSION_CURRENT, message);
+    const uint16_t items = static_cast<uint16_t>(autopilot_.heldCount - home);
+    const uint8_t state = items == 0          ? MISSION_STATE_NO_MISSION
+                          : aircraft_.isArmed ? MISSION_STATE_ACTIVE
+                                              : MISSION_STATE_NOT_STARTED;
+    speak(currentParts(item, items == 0 && isPx4() ? 65535 : items, state, autopilot_.heldSum));
   }
 
   void obey(const mavlink_command_long_t& given) {
@@ -446,24 +426,15 @@ class Terminal {
         break;
       default: result = MAV_RESULT_UNSUPPORTED;
     }
-    mavlink_command_ack_t ack = mavlink_command_ack_t();
-    ack.command = given.command;
-    ack.result = result;
-    ack.target_system = 1;
-    ack.target_component = 191;
-    speak(MAVLINK_MSG_ID_COMMAND_ACK, ack);
+    speak(commandAckParts(given.command, result));
   }
 
   void beat() {
     if (autopilot_.bootsInMs != kNever) return;
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.type = MAV_TYPE_QUADROTOR;
-    message.autopilot = isPx4() ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA;
-    message.base_mode = static_cast<uint8_t>(1 | (aircraft_.isArmed ? 128 : 0));
-    message.custom_mode = !isPx4() ? aircraft_.mode : aircraft_.mode == missionMode() ? 4u << 16 | 4u << 24 : 3u << 16;
-    message.system_status = aircraft_.isArmed ? MAV_STATE_ACTIVE : MAV_STATE_STANDBY;
-    message.mavlink_version = 3;
-    speak(MAVLINK_MSG_ID_HEARTBEAT, message);
+    const uint32_t px4Mode = aircraft_.mode == missionMode() ? 4u << 16 | 4u << 24 : 3u << 16;
+    speak(heartbeatParts(isPx4() ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA, aircraft_.isArmed ? 1 | 128 : 1,
+                         isPx4() ? px4Mode : aircraft_.mode, MAV_TYPE_QUADROTOR,
+                         aircraft_.isArmed ? MAV_STATE_ACTIVE : MAV_STATE_STANDBY));
     if (isPx4()) sayCurrent(aircraft_.current);
   }
 
@@ -493,7 +464,7 @@ class Terminal {
       if (autopilot_.bootsInMs != kNever) continue;
       if (decodeCommand(frame)) {
         obey(command_);
-      } else if (isOfPlans(frame) && decode(frame.data(), frame.size(), firmware_, message) == nullptr) {
+      } else if (isOfPlans(frame) && decode(frame, firmware_, message) == nullptr) {
         say(inWords(message) + " arrives");
         Answers answers;
         hearOfKinds(autopilot_, beside_, message, answers);
@@ -569,7 +540,7 @@ class Terminal {
     if (id == MAVLINK_MSG_ID_COMMAND_INT || id == MAVLINK_MSG_ID_SET_MODE) return judgeOrder(0);
     if (!isOfPlans(frame)) return;
     Message message;
-    const char* const wrong = decode(frame.data(), frame.size(), firmware_, message);
+    const char* const wrong = decode(frame, firmware_, message);
     if (wrong != nullptr) return breaks(wrong);
     say("client: " + inWords(message));
     switch (message.kind) {

@@ -70,11 +70,8 @@ Outcome World::begin(const Scenario& scenario) {
   resets_ = scenario.resets;
   copies_ = scenario.copies;
   hasTwoLinks_ = scenario.hasTwoLinks;
-  for (Autopilot* one : {&autopilot_, &beside_}) {
-    one->firmware = scenario.firmware;
-    one->asksInMs = one->givesUpInMs = one->acceptsInMs = one->bootsInMs = kNever;
-  }
-  beside_.type = scenario.otherType();
+  autopilot_.begin(scenario.firmware, kMission);
+  beside_.begin(scenario.firmware, scenario.otherType());
   const bool isMission = scenario.tasks.front().type == kMission;
   autopilot_.hold(isMission ? scenario.heldPlan : 0, isMission ? scenario.heldItems : scenario.heldBeside);
   beside_.hold(isMission ? 0 : scenario.heldPlan, isMission ? scenario.heldBeside : scenario.heldItems);
@@ -201,7 +198,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
     bool isEndTaken = !doing.hasEnded;
     for (const Bytes& frame : doing.frames) {
       Message sent = Message();
-      const char* broken = decode(frame.data(), frame.size(), scenario.firmware, sent);
+      const char* broken = decode(frame, scenario.firmware, sent);
       if (broken == nullptr) {
         const bool isCancel = sent.kind == Kind::Ack && sent.number == kCancelled;
         if (!isEndTaken && isCancel && !referee_.owesCancel) {

@@ -49,11 +49,7 @@ uint8_t ArduPilot::command(const mavlink_command_long_t& given, bool isInt, uint
 void ArduPilot::hearSetCurrent(uint16_t item, uint32_t nowMs) {
   if (item > plan.size()) return;
   current_ = item == 0 && !plan.empty() ? 1 : item;
-  mavlink_mission_current_t answer = mavlink_mission_current_t();
-  answer.seq = item;
-  answer.total = static_cast<uint16_t>(plan.size());
-  answer.mission_state = MISSION_STATE_NOT_STARTED;
-  send(messageOf(MAVLINK_MSG_ID_MISSION_CURRENT, answer), nowMs + 5);
+  send(currentParts(item, static_cast<uint16_t>(plan.size()), MISSION_STATE_NOT_STARTED), nowMs + 5);
 }
 
 uint8_t ArduPilot::state() const {
@@ -61,21 +57,13 @@ uint8_t ArduPilot::state() const {
   return isArmed && isAirborne() ? MAV_STATE_ACTIVE : MAV_STATE_STANDBY;
 }
 
-Message ArduPilot::itemToRead(uint16_t item) const {
-  mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
-  if (item == 0) {
-    message.command = MAV_CMD_NAV_WAYPOINT;
-    message.autocontinue = 1;
-    message.x = -353632621;
-    message.y = 1491652374;
-    message.z = 584;
-  } else {
-    memcpy(&message, plan[item - 1u].data(), sizeof(message));
-  }
+FrameParts ArduPilot::itemToRead(uint16_t item) const {
+  if (item == 0) return itemParts(0, homeItem(), mavmission::PlanType::Mission, systemId);
+  mavlink_mission_item_int_t message = messageIn<mavlink_mission_item_int_t>(plan[item - 1u]);
   message.seq = item;
   message.target_system = systemId;
   message.target_component = 191;
-  return messageOf(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
+  return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
 }
 
 int32_t ArduPilot::heightGoal() const {

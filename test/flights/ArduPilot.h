@@ -16,7 +16,7 @@ class ArduPilot : public Autopilot {
   void disarmed() override { current_ = 0; }
   uint8_t state() const override;
   uint32_t customMode() const override { return mode; }
-  Message itemToRead(uint16_t item) const override;
+  FrameParts itemToRead(uint16_t item) const override;
   int32_t heightGoal() const override;
   void atHeight(uint32_t nowMs) override;
   uint8_t arm(bool arms);

@@ -73,12 +73,14 @@ void Autopilot::actorDisarms(uint32_t) {
 
 // --- What it hears
 
-void Autopilot::hear(const Message& message, uint32_t nowMs) {
+void Autopilot::hear(const FrameParts& message, uint32_t nowMs) {
   by_ = By::Order;
-  switch (message.id) {
-    case MAVLINK_MSG_ID_COMMAND_LONG: hearCommand(read<mavlink_command_long_t>(message), false, nowMs); break;
+  switch (message.messageId) {
+    case MAVLINK_MSG_ID_COMMAND_LONG:
+      hearCommand(messageIn<mavlink_command_long_t>(message.payload), false, nowMs);
+      break;
     case MAVLINK_MSG_ID_COMMAND_INT: {
-      const mavlink_command_int_t given = read<mavlink_command_int_t>(message);
+      const mavlink_command_int_t given = messageIn<mavlink_command_int_t>(message.payload);
       mavlink_command_long_t asLong = mavlink_command_long_t();
       asLong.command = given.command;
       asLong.param1 = given.param1;
@@ -115,21 +117,15 @@ void Autopilot::hearCommand(const mavlink_command_long_t& given, bool isInt, uin
       break;
     default: result = command(given, isInt, nowMs);
   }
-  mavlink_command_ack_t ack = mavlink_command_ack_t();
-  ack.command = given.command;
-  ack.target_system = systemId;
-  ack.target_component = 191;
-  if (isPx4() && given.command == MAV_CMD_DO_SET_MODE) {  // two of its parts answer, the first one too soon
-    ack.result = MAV_RESULT_ACCEPTED;
-    send(messageOf(MAVLINK_MSG_ID_COMMAND_ACK, ack), answerMs - 4);
-  }
-  ack.result = result;
-  send(messageOf(MAVLINK_MSG_ID_COMMAND_ACK, ack), answerMs);
+  // Two of PX4's parts answer, the first one too soon.
+  if (isPx4() && given.command == MAV_CMD_DO_SET_MODE)
+    send(commandAckParts(given.command, MAV_RESULT_ACCEPTED, systemId), answerMs - 4);
+  send(commandAckParts(given.command, result, systemId), answerMs);
 }
 
 // --- What it sends
 
-void Autopilot::send(const Message& message, uint32_t atMs) {
+void Autopilot::send(const FrameParts& message, uint32_t atMs) {
   const Sending sending = {atMs, message};
   const auto later = [](const Sending& a, const Sending& b) { return a.atMs < b.atMs; };
   sending_.insert(std::upper_bound(sending_.begin(), sending_.end(), sending, later), sending);
@@ -145,18 +141,13 @@ bool Autopilot::canTell(uint32_t id) const {
          id == MAVLINK_MSG_ID_HOME_POSITION;
 }
 
-Message Autopilot::composed(uint32_t id) const {
+FrameParts Autopilot::composed(uint32_t id) const {
   switch (id) {
     case MAVLINK_MSG_ID_MISSION_CURRENT: {
-      mavlink_mission_current_t message = mavlink_mission_current_t();
-      message.seq = current_;
-      message.total = plan.empty() && isPx4() ? 65535 : static_cast<uint16_t>(plan.size());
+      const uint16_t total = plan.empty() && isPx4() ? 65535 : static_cast<uint16_t>(plan.size());
       const bool isFlown = is(Means::Mission) && isArmed;
-      message.mission_state = plan.empty() ? MISSION_STATE_NO_MISSION
-                              : isFlown    ? MISSION_STATE_ACTIVE
-                                           : MISSION_STATE_NOT_STARTED;
-      message.mission_id = planId();
-      return messageOf(id, message);
+      const uint8_t flown = isFlown ? MISSION_STATE_ACTIVE : MISSION_STATE_NOT_STARTED;
+      return currentParts(current_, total, plan.empty() ? uint8_t{MISSION_STATE_NO_MISSION} : flown, planId());
     }
     case MAVLINK_MSG_ID_GLOBAL_POSITION_INT: {
       mavlink_global_position_int_t message = mavlink_global_position_int_t();
@@ -164,37 +155,31 @@ Message Autopilot::composed(uint32_t id) const {
       message.lon = kLongitudeE7;
       message.relative_alt = heightCm * 10;
       message.alt = kHomeMm + heightCm * 10;
-      return messageOf(id, message);
+      return FrameParts(id, message);
     }
     case MAVLINK_MSG_ID_EXTENDED_SYS_STATE: {
       mavlink_extended_sys_state_t message = mavlink_extended_sys_state_t();
       message.landed_state = isAirborne() ? MAV_LANDED_STATE_IN_AIR : MAV_LANDED_STATE_ON_GROUND;
-      return messageOf(id, message);
+      return FrameParts(id, message);
     }
     case MAVLINK_MSG_ID_HOME_POSITION: {
       mavlink_home_position_t message = mavlink_home_position_t();
       message.latitude = kLatitudeE7;
       message.longitude = kLongitudeE7;
       message.altitude = kHomeMm;
-      return messageOf(id, message);
+      return FrameParts(id, message);
     }
     case MAVLINK_MSG_ID_HEARTBEAT: {
-      mavlink_heartbeat_t message = mavlink_heartbeat_t();
-      message.custom_mode = customMode();
-      message.type = kind == Kind::Rover ? MAV_TYPE_GROUND_ROVER : MAV_TYPE_QUADROTOR;
-      message.autopilot = isPx4() ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA;
-      message.base_mode =
-          static_cast<uint8_t>(MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | (isArmed ? MAV_MODE_FLAG_SAFETY_ARMED : 0));
-      message.system_status = state();
-      message.mavlink_version = 3;
-      return messageOf(id, message);
+      const uint8_t type = kind == Kind::Rover ? MAV_TYPE_GROUND_ROVER : MAV_TYPE_QUADROTOR;
+      const uint8_t autopilot = isPx4() ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA;
+      return heartbeatParts(autopilot, isArmed ? 1 | 128 : 1, customMode(), type, state());
     }
-    default: return messageOf(MAVLINK_MSG_ID_ATTITUDE, mavlink_attitude_t());
+    default: return FrameParts(MAVLINK_MSG_ID_ATTITUDE, mavlink_attitude_t());
   }
 }
 
-std::vector<Message> Autopilot::takeSent() {
-  std::vector<Message> sent;
+std::vector<FrameParts> Autopilot::takeSent() {
+  std::vector<FrameParts> sent;
   sent.swap(sent_);
   return sent;
 }
@@ -232,9 +217,9 @@ void Autopilot::pass(uint32_t nowMs) {
     }
   }
   while (!sending_.empty() && sending_.front().atMs <= nowMs) {
-    const Message message = sending_.front().message;
+    const FrameParts message = sending_.front().message;
     sending_.erase(sending_.begin());
-    sent_.push_back(message.payload.empty() ? composed(message.id) : message);
+    sent_.push_back(message.payload.empty() ? composed(message.messageId) : message);
   }
   for (auto& stream : streams_) {
     if (stream.second.first == 0 || stream.second.second > nowMs) continue;

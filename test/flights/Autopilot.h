@@ -5,8 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "Message.h"
 #include "Modes.h"
+#include "PlanFrames.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 // This says who has brought a change about.
 enum class By : uint8_t { Order, Actor, Itself };
@@ -34,11 +35,11 @@ class Autopilot {
   int32_t heightCm = 0;
   std::vector<Bytes> plan;  // MISSION_ITEM_INTs, without home
 
-  void hear(const Message& message, uint32_t nowMs);
+  void hear(const FrameParts& message, uint32_t nowMs);
   // Lets time go on to this moment.
   void pass(uint32_t nowMs);
   uint32_t nextMs() const;
-  std::vector<Message> takeSent();
+  std::vector<FrameParts> takeSent();
 
   // Puts it in the air, in its mission.
   void putInAir(uint32_t nowMs);
@@ -59,7 +60,7 @@ class Autopilot {
   virtual void disarmed() {}
   virtual uint8_t state() const = 0;  // MAV_STATE
   virtual uint32_t customMode() const = 0;
-  virtual Message itemToRead(uint16_t item) const = 0;
+  virtual FrameParts itemToRead(uint16_t item) const = 0;
   virtual uint32_t planId() const { return 0; }
   virtual int32_t heightGoal() const = 0;  // [cm]; its own height if it is to stay there
   virtual void atHeight(uint32_t) {}       // called when it has climbed or sunk to its goal
@@ -69,9 +70,9 @@ class Autopilot {
   bool isPx4() const { return kind == Kind::Px4; }
   void setMode(uint16_t wanted, uint32_t nowMs);
   void setArmed(bool isArmed);
-  void send(const Message& message, uint32_t atMs);
+  void send(const FrameParts& message, uint32_t atMs);
   // Sends a message that is filled in at the moment at which it leaves.
-  void sendFresh(uint32_t id, uint32_t atMs) { send(Message{id, Bytes()}, atMs); }
+  void sendFresh(uint32_t id, uint32_t atMs) { send(FrameParts{id, Bytes()}, atMs); }
   void requestMessage(uint32_t id, uint32_t atMs) { sendFresh(id, atMs); }
   bool canTell(uint32_t id) const;
   void setStream(uint32_t id, uint32_t everyMs, uint32_t nowMs);
@@ -86,11 +87,11 @@ class Autopilot {
  private:
   struct Sending {
     uint32_t atMs;
-    Message message;
+    FrameParts message;
   };
-  Message composed(uint32_t id) const;
+  FrameParts composed(uint32_t id) const;
   void hearCommand(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs);
-  bool hearMission(const Message& message, uint32_t nowMs);
+  bool hearMission(const FrameParts& message, uint32_t nowMs);
   void askForItem(uint32_t nowMs);
   void lookForItem(uint32_t nowMs);
   void acknowledge(uint8_t result, uint32_t nowMs);
@@ -98,7 +99,7 @@ class Autopilot {
 
   Witness& witness_;
   std::vector<Sending> sending_;
-  std::vector<Message> sent_;
+  std::vector<FrameParts> sent_;
   std::map<uint32_t, std::pair<uint32_t, uint32_t>> streams_;  // by id: the interval and the next time [ms]
   uint32_t movedMs_ = 0;
   uint32_t landedMs_ = 0;

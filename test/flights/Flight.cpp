@@ -1,6 +1,7 @@
 #include "Flight.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 using mavmission::Status;
 
@@ -36,6 +37,14 @@ struct Heard {
   uint32_t nextMs;
   uint8_t sequence;
 };
+
+// Returns the system to which a message is addressed; 0: to none.
+uint8_t targetOf(const FrameParts& message) {
+  const mavlink_msg_entry_t* const entry = mavlink_get_msg_entry(message.messageId);
+  if (entry == nullptr || message.version != 2) throw std::runtime_error("what is sent is no frame of the library's");
+  const bool hasTarget = (entry->flags & MAV_MSG_ENTRY_FLAG_HAVE_TARGET_SYSTEM) != 0;
+  return hasTarget ? message.payload[entry->target_system_ofs] : uint8_t{0};
+}
 
 class Flying {
  public:
@@ -210,7 +219,7 @@ class Flying {
     own().referee.isLeft();
     own_ = which;
     sketch_.name(own().model->systemId, own().model->kind);
-    unpacker_ = Unpacker();  // a frame for the other one is cut
+    cutter_ = FrameCutter();  // a frame for the other one is cut
     own().referee.isNamed();
   }
 
@@ -339,25 +348,24 @@ class Flying {
   void speak(uint8_t which) {
     Vehicle& vehicle = *vehicles_[which];
     vehicle.model->pass(nowMs_);
-    for (const Message& message : vehicle.model->takeSent()) {
+    for (FrameParts& message : vehicle.model->takeSent()) {
       if (vehicle.silentUntilMs > nowMs_) continue;
       note();
-      down_.send(message, which, frameOf(message, vehicle.sequence++, vehicle.model->systemId), true, nowMs_);
+      message.sequence = vehicle.sequence++;
+      message.systemId = vehicle.model->systemId;
+      down_.send(message, which, packed(message), true, nowMs_);
     }
   }
 
   void speak(Heard& stranger) {
     if (stranger.nextMs > nowMs_) return;
     stranger.nextMs += 1000;
-    mavlink_heartbeat_t beat = mavlink_heartbeat_t();
-    beat.type = stranger.who.type;
-    beat.autopilot = stranger.who.autopilot;
-    beat.base_mode = MAV_MODE_FLAG_SAFETY_ARMED;
-    beat.system_status = MAV_STATE_ACTIVE;
-    beat.mavlink_version = 3;
-    const Message message = messageOf(MAVLINK_MSG_ID_HEARTBEAT, beat);
     const Stranger& who = stranger.who;
-    down_.send(message, 255, frameOf(message, stranger.sequence++, who.systemId, who.componentId), true, nowMs_);
+    FrameParts beat = heartbeatParts(who.autopilot, MAV_MODE_FLAG_SAFETY_ARMED, 0, who.type, uint8_t{MAV_STATE_ACTIVE});
+    beat.systemId = who.systemId;
+    beat.componentId = who.componentId;
+    beat.sequence = stranger.sequence++;
+    down_.send(beat, 255, packed(beat), true, nowMs_);
   }
 
   Vehicle* vehicleOf(uint8_t systemId) {
@@ -369,16 +377,16 @@ class Flying {
     if (written.empty()) return;
     note();
     size_t begin = 0;
-    for (const Unpacker::Found& found : unpacker_.take(written)) {
+    for (const FrameIn& found : cutter_.take(written)) {
       const size_t news = found.end - begin;
-      up_.send(found.message, 255, Bytes(std::max(news, found.length)), found.isRight, nowMs_,
-               found.length > news ? found.length - news : 0);
+      up_.send(found.parts, 255, Bytes(std::max(news, found.size)), found.isRight, nowMs_,
+               found.size > news ? found.size - news : 0);
       begin = found.end;
+      const uint8_t target = targetOf(found.parts);
       if (!found.isRight) continue;
-      const uint8_t target = targetOf(found.message);
       Vehicle* const to = vehicleOf(target);
       if (target != 0 && to == nullptr) own().referee.breaks("a frame leaves to system " + std::to_string(target));
-      if (to != nullptr && to->referee.leaves(found.message)) ordered();
+      if (to != nullptr && to->referee.leaves(found.parts)) ordered();
     }
     if (begin < written.size()) up_.occupy(written.size() - begin, nowMs_);
   }
@@ -389,7 +397,7 @@ class Flying {
   std::vector<Heard> heard_;
   uint8_t own_ = 0;  // the vehicle that is the sketch's
   Line up_, down_;
-  Unpacker unpacker_;
+  FrameCutter cutter_;
   std::mt19937 random_;
   uint32_t nowMs_;
   uint32_t beganMs_ = 0;

@@ -12,7 +12,7 @@ void Line::pass(size_t bytes, uint32_t nowMs) {
 
 void Line::occupy(size_t bytes, uint32_t nowMs) { pass(bytes, nowMs); }
 
-void Line::send(const Message& message, uint8_t vehicle, const Bytes& bytes, bool isRight, uint32_t nowMs,
+void Line::send(const FrameParts& message, uint8_t vehicle, const Bytes& bytes, bool isRight, uint32_t nowMs,
                 size_t sent) {
   pass(bytes.size() - sent, nowMs);
   Due due = {nowMs, static_cast<uint32_t>(freeUs_ / 1000) + kOnTheWayMs, Bytes(), message, vehicle, isRight};

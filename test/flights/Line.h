@@ -4,13 +4,14 @@
 #include <deque>
 #include <random>
 
-#include "Message.h"
+#include "PlanFrames.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 struct Due {
   uint32_t leftMs;  // when its last byte has left the sender
   uint32_t dueMs;   // when its last byte arrives
   Bytes bytes;      // what arrives of the frame
-  Message message;
+  FrameParts message;
   uint8_t vehicle;  // which one sends it
   bool isWhole;
 };
@@ -20,7 +21,8 @@ class Line {
   Line(uint32_t seed, double lossPerByte) : random_(seed), loss_(lossPerByte) {}
 
   // Sends a frame, of which `sent` bytes have gone out already.
-  void send(const Message& message, uint8_t vehicle, const Bytes& bytes, bool isRight, uint32_t nowMs, size_t sent = 0);
+  void send(const FrameParts& message, uint8_t vehicle, const Bytes& bytes, bool isRight, uint32_t nowMs,
+            size_t sent = 0);
   // Sends the beginning of a frame; the rest of it comes with send().
   void occupy(size_t bytes, uint32_t nowMs);
   // Returns how many bytes wait to go out.

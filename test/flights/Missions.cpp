@@ -7,22 +7,14 @@ constexpr uint32_t kAnswerMs = 5, kAskAgainMs = 1000, kGiveUpMs = 8000;
 }  // namespace
 
 void Autopilot::acknowledge(uint8_t result, uint32_t nowMs) {
-  mavlink_mission_ack_t ack = mavlink_mission_ack_t();
-  ack.target_system = systemId;
-  ack.target_component = kClient;
-  ack.type = result;
-  ack.opaque_id = result == MAV_MISSION_ACCEPTED ? planId() : 0;
-  send(messageOf(MAVLINK_MSG_ID_MISSION_ACK, ack), nowMs + kAnswerMs);
+  const uint32_t name = result == MAV_MISSION_ACCEPTED ? planId() : 0;
+  send(ackParts(result, systemId, kClient, 0, name), nowMs + kAnswerMs);
 }
 
 void Autopilot::askForItem(uint32_t nowMs) {
-  mavlink_mission_request_int_t request = mavlink_mission_request_int_t();
-  request.target_system = systemId;
-  request.target_component = kClient;
-  request.seq = expected_;
-  // The older message has the same layout.
-  send(messageOf(isPx4() ? MAVLINK_MSG_ID_MISSION_REQUEST_INT : MAVLINK_MSG_ID_MISSION_REQUEST, request),
-       nowMs + kAnswerMs);
+  FrameParts request = requestParts(expected_, systemId);
+  if (!isPx4()) request = FrameParts(MAVLINK_MSG_ID_MISSION_REQUEST, request.payload);  // it has the same layout
+  send(request, nowMs + kAnswerMs);
   askedMs_ = nowMs;
 }
 
@@ -36,12 +28,12 @@ void Autopilot::take(const std::vector<Bytes>& items, bool isOurs) {
   witness_.planSet(isOurs, by_);
 }
 
-bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
+bool Autopilot::hearMission(const FrameParts& message, uint32_t nowMs) {
   const uint16_t home = firstItem();
-  switch (message.id) {
+  switch (message.messageId) {
     case MAVLINK_MSG_ID_MISSION_COUNT: {
       isReceiving_ = true;
-      announced_ = read<mavlink_mission_count_t>(message).count;
+      announced_ = messageIn<mavlink_mission_count_t>(message.payload).count;
       expected_ = 0;
       received_.clear();
       heardMs_ = nowMs;
@@ -49,7 +41,7 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
       return true;
     }
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-      if (!isReceiving_ || read<mavlink_mission_item_int_t>(message).seq != expected_) return true;
+      if (!isReceiving_ || messageIn<mavlink_mission_item_int_t>(message.payload).seq != expected_) return true;
       heardMs_ = nowMs;
       if (expected_++ >= home) received_.push_back(message.payload);
       if (expected_ < announced_) {
@@ -61,16 +53,12 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
       acknowledge(MAV_MISSION_ACCEPTED, nowMs);
       return true;
     case MAVLINK_MSG_ID_MISSION_REQUEST_LIST: {
-      mavlink_mission_count_t count = mavlink_mission_count_t();
-      count.target_system = systemId;
-      count.target_component = kClient;
-      count.count = static_cast<uint16_t>(plan.size() + home);
-      count.opaque_id = planId();
-      send(messageOf(MAVLINK_MSG_ID_MISSION_COUNT, count), nowMs + kAnswerMs);
+      const uint16_t items = static_cast<uint16_t>(plan.size() + home);
+      send(countParts(items, mavmission::PlanType::Mission, planId(), systemId), nowMs + kAnswerMs);
       return true;
     }
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
-      const uint16_t item = read<mavlink_mission_request_int_t>(message).seq;
+      const uint16_t item = messageIn<mavlink_mission_request_int_t>(message.payload).seq;
       if (item >= plan.size() + home) {
         acknowledge(MAV_MISSION_INVALID_SEQUENCE, nowMs);
       } else {
@@ -85,9 +73,9 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
       acknowledge(MAV_MISSION_ACCEPTED, nowMs);
       return true;
     case MAVLINK_MSG_ID_MISSION_SET_CURRENT:
-      hearSetCurrent(read<mavlink_mission_set_current_t>(message).seq, nowMs);
+      hearSetCurrent(messageIn<mavlink_mission_set_current_t>(message.payload).seq, nowMs);
       return true;
-    default: return message.id == MAVLINK_MSG_ID_MISSION_ACK;
+    default: return message.messageId == MAVLINK_MSG_ID_MISSION_ACK;
   }
 }
 
@@ -95,10 +83,9 @@ void Autopilot::actorSetsPlan(int moreItems, uint32_t) {
   if (plan.empty()) return;
   std::vector<Bytes> items = plan;
   for (Bytes& item : items) {
-    mavlink_mission_item_int_t moved;
-    memcpy(&moved, item.data(), sizeof(moved));
+    mavlink_mission_item_int_t moved = messageIn<mavlink_mission_item_int_t>(item);
     if (moved.x != 0) moved.x += 5000;
-    memcpy(item.data(), &moved, sizeof(moved));
+    item = bytesOf(moved);
   }
   for (int i = 0; i < moreItems; ++i) items.push_back(items.back());
   take(items, false);

@@ -85,24 +85,19 @@ uint32_t Px4::customMode() const {
   return static_cast<uint32_t>(mode & 0xFF) << 16 | static_cast<uint32_t>(mode >> 8) << 24;
 }
 
-Message Px4::itemToRead(uint16_t item) const {
-  mavlink_mission_item_int_t message;
-  memcpy(&message, plan[item].data(), sizeof(message));
+FrameParts Px4::itemToRead(uint16_t item) const {
+  mavlink_mission_item_int_t message = messageIn<mavlink_mission_item_int_t>(plan[item]);
   message.seq = item;
   if (message.frame == MAV_FRAME_GLOBAL_RELATIVE_ALT) message.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT_INT;
   message.current = item == 0;
   message.target_system = systemId;
   message.target_component = 191;
-  return messageOf(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
+  return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
 }
 
 uint32_t Px4::planId() const {
   uint32_t sum = 0;
-  for (const Bytes& item : plan) {
-    mavlink_mission_item_int_t message;
-    memcpy(&message, item.data(), sizeof(message));
-    sum = px4Checksum(sum, message);
-  }
+  for (const Bytes& item : plan) sum = px4Checksum(sum, messageIn<mavlink_mission_item_int_t>(item));
   return sum;
 }
 

@@ -16,7 +16,7 @@ class Px4 : public Autopilot {
   void disarmed() override;
   uint8_t state() const override;
   uint32_t customMode() const override;
-  Message itemToRead(uint16_t item) const override;
+  FrameParts itemToRead(uint16_t item) const override;
   uint32_t planId() const override;
   int32_t heightGoal() const override;
   void atHeight(uint32_t nowMs) override;

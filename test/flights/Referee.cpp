@@ -195,19 +195,20 @@ void Referee::planSet(bool isOurs, By by) {
   if (!isOurs) otherPlanMs_ = nowMs_;
 }
 
-void Referee::comes(const Message& message, uint32_t sentMs) {
+void Referee::comes(const FrameParts& message, uint32_t sentMs) {
   // ArduPilot tells only how long its plan is.
-  if (message.id == MAVLINK_MSG_ID_MISSION_CURRENT && !isOurPlan_ && sentMs > otherPlanMs_ && otherNamed_ != 255) {
-    if (kind_ == Kind::Px4 || read<mavlink_mission_current_t>(message).total != kItems) ++otherNamed_;
+  if (message.messageId == MAVLINK_MSG_ID_MISSION_CURRENT && !isOurPlan_ && sentMs > otherPlanMs_ &&
+      otherNamed_ != 255) {
+    if (kind_ == Kind::Px4 || messageIn<mavlink_mission_current_t>(message.payload).total != kItems) ++otherNamed_;
   }
-  if (message.id == MAVLINK_MSG_ID_COMMAND_ACK) {
-    const mavlink_command_ack_t ack = read<mavlink_command_ack_t>(message);
+  if (message.messageId == MAVLINK_MSG_ID_COMMAND_ACK) {
+    const mavlink_command_ack_t ack = messageIn<mavlink_command_ack_t>(message.payload);
     const bool arms =
         ack.command == MAV_CMD_COMPONENT_ARM_DISARM || (ack.command == MAV_CMD_MISSION_START && kind_ == Kind::Px4);
     if (arms && ack.result == MAV_RESULT_ACCEPTED) isArmingShown_ = true;
   }
-  if (message.id != MAVLINK_MSG_ID_HEARTBEAT) return;
-  const mavlink_heartbeat_t beat = read<mavlink_heartbeat_t>(message);
+  if (message.messageId != MAVLINK_MSG_ID_HEARTBEAT) return;
+  const mavlink_heartbeat_t beat = messageIn<mavlink_heartbeat_t>(message.payload);
   // (A look at the items ends with an item, whatever heartbeat has just come and is not read yet.)
   const bool isBefore = nowMs_ - cameMs_ < kStepsMs || task_ == Task::VerifyAndStart;
   shownBefore_ = isBefore ? shownMode_ : kNoSuchMode;
@@ -230,13 +231,14 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
 }
 
 // What must hold whatever the task is, for a frame that is addressed to it.
-void Referee::judge(const Message& message, bool isArming, bool isOrder) {
-  const uint16_t command = read<mavlink_command_long_t>(message).command;
-  const bool isQuestion = message.id == MAVLINK_MSG_ID_COMMAND_LONG &&
+void Referee::judge(const FrameParts& message, bool isArming, bool isOrder) {
+  const uint16_t command = messageIn<mavlink_command_long_t>(message.payload).command;
+  const bool isQuestion = message.messageId == MAVLINK_MSG_ID_COMMAND_LONG &&
                           (command == MAV_CMD_REQUEST_MESSAGE || command == MAV_CMD_SET_MESSAGE_INTERVAL);
-  const std::string what = "message " + std::to_string(message.id) + " (" + std::to_string(command) + ") leaves ";
+  const std::string what =
+      "message " + std::to_string(message.messageId) + " (" + std::to_string(command) + ") leaves ";
   if (!hasBegun_ && !(isNamed_ && isQuestion)) return breaks(what + "to an aircraft for which nothing was begun");
-  const bool isTarget = message.id == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
+  const bool isTarget = message.messageId == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
   if (isOrder && cameMs_ < (isTarget ? stoodBlindMs_ : stoodStillMs_))
     breaks(what + "with no heartbeat since loop() stood still");
   const bool isSteered = isStart(task_) || (task_ >= Task::TakeOff && task_ <= Task::Follow);
@@ -246,10 +248,11 @@ void Referee::judge(const Message& message, bool isArming, bool isOrder) {
   if (isArming && isKept_) breaks(what + "though somebody has taken the aircraft");
 }
 
-bool Referee::leaves(const Message& message) {
-  const mavlink_command_long_t command = read<mavlink_command_long_t>(message);
-  const bool isCommand = message.id == MAVLINK_MSG_ID_COMMAND_LONG || message.id == MAVLINK_MSG_ID_COMMAND_INT;
-  const bool isTarget = message.id == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
+bool Referee::leaves(const FrameParts& message) {
+  const mavlink_command_long_t command = messageIn<mavlink_command_long_t>(message.payload);
+  const bool isCommand =
+      message.messageId == MAVLINK_MSG_ID_COMMAND_LONG || message.messageId == MAVLINK_MSG_ID_COMMAND_INT;
+  const bool isTarget = message.messageId == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
   const bool isHarmless = !isCommand || command.command == MAV_CMD_REQUEST_MESSAGE ||
                           command.command == MAV_CMD_SET_MESSAGE_INTERVAL ||
                           command.command == MAV_CMD_DO_VTOL_TRANSITION || isDisarming(command);
@@ -257,7 +260,7 @@ bool Referee::leaves(const Message& message) {
     say(isCommand ? "the sketch sends command " + std::to_string(command.command) + "(" +
                         std::to_string(static_cast<int>(command.param1)) + ", " +
                         std::to_string(static_cast<int>(command.param2)) + ")"
-                  : "the sketch sends message " + std::to_string(message.id));
+                  : "the sketch sends message " + std::to_string(message.messageId));
   }
   const bool isArming = isCommand && (command.command == MAV_CMD_NAV_TAKEOFF ||
                                       (command.command == MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 1) ||
@@ -272,7 +275,7 @@ bool Referee::leaves(const Message& message) {
     if (orderedMode_ == foreign_.mode && !foreign_.isShown) foreign_.is = false;
     orderedMs_ = nowMs_;
   }
-  if (message.id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
+  if (message.messageId == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
   if (task_ == Task::Arm) return !isHarmless;  // this task arms in any mode
   if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return !isHarmless;
   if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return !isHarmless;

@@ -54,9 +54,9 @@ class Referee : public Witness {
   void armed(bool isArmed, By by) override;
   void planSet(bool isOurs, By by) override;
   // A frame of the sketch leaves. Returns true if it moves the aircraft, arms it or changes its mode.
-  bool leaves(const Message& message);
+  bool leaves(const FrameParts& message);
   // A frame of the autopilot has arrived, which was sent at that time.
-  void comes(const Message& message, uint32_t sentMs);
+  void comes(const FrameParts& message, uint32_t sentMs);
 
   void ends(mavmission::Status status, const Sketch& sketch, const Autopilot& autopilot);
   // This is called when the line has lost nothing for some seconds, and nothing has happened.
@@ -85,7 +85,7 @@ class Referee : public Witness {
     bool isOfStream;  // it is PX4's failsafe for missing targets, which a target of ours ends
   };
   void say(const std::string& words);
-  void judge(const Message& message, bool isArming, bool isOrder);
+  void judge(const FrameParts& message, bool isArming, bool isOrder);
   void take(uint16_t mode, uint16_t before);
   void obeys(const std::string& what);
   std::string name(uint16_t mode) const { return modeName(kind_, mode); }

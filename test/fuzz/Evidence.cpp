@@ -1,10 +1,8 @@
 #include "Evidence.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
+#include "Px4Checksum.h"
 #include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/plan/WirePlan.h"
 
@@ -15,13 +13,6 @@ namespace {
 
 bool isForUs(uint8_t system, uint8_t component) {
   return (system == 0 || system == kAutopilot) && (component == 0 || component == kClient);
-}
-
-template <typename T>
-T messageIn(const Bytes& payload) {
-  T message;
-  memcpy(&message, payload.data(), sizeof(message));
-  return message;
 }
 
 bool isSameNumber(float sent, float read) { return sent == read || (isnan(sent) && isnan(read)); }
@@ -43,12 +34,6 @@ bool isSameItem(const MissionItem& meant, const mavlink_mission_item_int_t& read
 
 }  // namespace
 
-void demand(bool holds, const char* what) {
-  if (holds) return;
-  fprintf(stderr, "%s\n", what);
-  abort();
-}
-
 size_t behindFill(const Bytes& bytes, size_t at) {
   constexpr size_t kFill = 12;
   size_t zeros = 0;
@@ -56,24 +41,13 @@ size_t behindFill(const Bytes& bytes, size_t at) {
   return zeros == kFill ? at + zeros : at;
 }
 
-bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t& size) {
-  const bool v2 = bytes[at] == 0xFD;
-  const size_t header = v2 ? 10 : 6;
-  if ((!v2 && bytes[at] != 0xFE) || bytes.size() - at < header + 2) return false;
-  const size_t length = bytes[at + 1];
-  size = header + length + 2;
-  if (bytes.size() - at < size) return false;
-  id = v2 ? static_cast<uint32_t>(bytes[at + 7] | bytes[at + 8] << 8 | bytes[at + 9] << 16) : bytes[at + 5];
-  const mavlink_msg_entry_t* entry = mavlink_get_msg_entry(id);
-  if (entry == nullptr) return false;
-  uint16_t crc = X25_INIT_CRC;
-  for (size_t i = 1; i < size - 2; ++i) crc_accumulate(bytes[at + i], &crc);
-  crc_accumulate(entry->crc_extra, &crc);
-  if (bytes[at + size - 2] != (crc & 0xFF) || bytes[at + size - 1] != crc >> 8) return false;
-  payload.assign(bytes.begin() + static_cast<long>(at + header),
-                 bytes.begin() + static_cast<long>(at + header + length));
-  payload.resize(255, 0);
-  return true;
+std::vector<FrameParts> framesIn(const Bytes& bytes) {
+  std::vector<FrameParts> frames;
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    const FrameIn frame = frameAt(bytes, at);
+    if (frame.isRight) frames.push_back(frame.parts);
+  }
+  return frames;
 }
 
 WireItems wireItems(const MissionItem* plan, uint16_t count, Firmware firmware) {
@@ -88,47 +62,16 @@ WireItems wireItems(const MissionItem* plan, uint16_t count, Firmware firmware) 
   return items;
 }
 
-FrameParts itemParts(const MissionItem& item, uint16_t sequence) {
-  mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
-  message.seq = sequence;
-  message.target_system = kAutopilot;
-  message.target_component = kClient;
-  message.command = item.command;
-  message.frame = static_cast<uint8_t>(item.frame);
-  message.autocontinue = item.autocontinue;
-  message.param1 = item.param1;
-  message.param2 = item.param2;
-  message.param3 = item.param3;
-  message.param4 = item.param4;
-  message.x = item.x;
-  message.y = item.y;
-  message.z = item.z;
-  return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT, bytesOf(message), MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC);
-}
-
-FrameParts countParts(uint16_t count, uint32_t opaqueId) {
-  mavlink_mission_count_t message = mavlink_mission_count_t();
-  message.count = count;
-  message.target_system = kAutopilot;
-  message.target_component = kClient;
-  message.opaque_id = opaqueId;
-  return FrameParts(MAVLINK_MSG_ID_MISSION_COUNT, bytesOf(message), MAVLINK_MSG_ID_MISSION_COUNT_CRC);
-}
-
 bool holdsAnswer(const Bytes& heard, bool isEmpty, uint16_t last) {
   bool isAsked = isEmpty;
-  for (size_t at = 0; at < heard.size(); ++at) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    if (!isRight(heard, at, id, payload, size)) continue;
-    if (id == MAVLINK_MSG_ID_MISSION_REQUEST || id == MAVLINK_MSG_ID_MISSION_REQUEST_INT) {
-      const mavlink_mission_request_int_t request = messageIn<mavlink_mission_request_int_t>(payload);
+  for (const FrameParts& frame : framesIn(heard)) {
+    if (frame.messageId == MAVLINK_MSG_ID_MISSION_REQUEST || frame.messageId == MAVLINK_MSG_ID_MISSION_REQUEST_INT) {
+      const mavlink_mission_request_int_t request = messageIn<mavlink_mission_request_int_t>(frame.payload);
       const bool isOurs = isForUs(request.target_system, request.target_component) && request.mission_type == 0;
       isAsked = isAsked || (isOurs && request.seq == last);
     }
-    if (id == MAVLINK_MSG_ID_MISSION_ACK && isAsked) {
-      const mavlink_mission_ack_t ack = messageIn<mavlink_mission_ack_t>(payload);
+    if (frame.messageId == MAVLINK_MSG_ID_MISSION_ACK && isAsked) {
+      const mavlink_mission_ack_t ack = messageIn<mavlink_mission_ack_t>(frame.payload);
       if (isForUs(ack.target_system, ack.target_component) && ack.type == 0 && ack.mission_type == 0) return true;
     }
   }
@@ -139,26 +82,22 @@ bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant
   const bool isArduPilot = firmware == Firmware::ArduPilot;
   bool isCounted = false, isListed = false;
   std::vector<bool> isRead(meant.size()), isAskedFor(meant.size());
-  uint32_t id;
-  Bytes payload;
-  size_t size;
-  for (size_t at = 0; at < asked.size(); ++at) {
-    if (!isRight(asked, at, id, payload, size)) continue;
+  for (const FrameParts& frame : framesIn(asked)) {
+    const uint32_t id = frame.messageId;
     if (id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) isListed = true;
     if (id != MAVLINK_MSG_ID_MISSION_REQUEST && id != MAVLINK_MSG_ID_MISSION_REQUEST_INT) continue;
-    const uint16_t seq = messageIn<mavlink_mission_request_int_t>(payload).seq;
+    const uint16_t seq = messageIn<mavlink_mission_request_int_t>(frame.payload).seq;
     if (seq < meant.size()) isAskedFor[seq] = true;
   }
-  for (size_t at = 0; at < heard.size(); ++at) {
-    if (!isRight(heard, at, id, payload, size)) continue;
-    if (id == MAVLINK_MSG_ID_MISSION_COUNT) {
-      const mavlink_mission_count_t count = messageIn<mavlink_mission_count_t>(payload);
+  for (const FrameParts& frame : framesIn(heard)) {
+    if (frame.messageId == MAVLINK_MSG_ID_MISSION_COUNT) {
+      const mavlink_mission_count_t count = messageIn<mavlink_mission_count_t>(frame.payload);
       const bool isHomeAlone = isArduPilot && meant.empty() && count.count == 1;
       if (!isForUs(count.target_system, count.target_component) || count.mission_type != 0) continue;
       isCounted = isCounted || count.count == meant.size() || isHomeAlone;
     }
-    if (id == MAVLINK_MSG_ID_MISSION_ITEM_INT) {
-      const mavlink_mission_item_int_t item = messageIn<mavlink_mission_item_int_t>(payload);
+    if (frame.messageId == MAVLINK_MSG_ID_MISSION_ITEM_INT) {
+      const mavlink_mission_item_int_t item = messageIn<mavlink_mission_item_int_t>(frame.payload);
       if (!isForUs(item.target_system, item.target_component) || item.mission_type != 0) continue;
       if (item.seq >= meant.size()) continue;
       if ((isArduPilot && item.seq == 0) || isSameItem(meant[item.seq], item, isArduPilot)) isRead[item.seq] = true;
@@ -171,35 +110,18 @@ bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant
 }
 
 uint32_t nameOf(const WireItems& items) {
-  Bytes bytes;
-  for (const MissionItem& item : items) {
-    const mavlink_mission_item_int_t message = messageIn<mavlink_mission_item_int_t>(itemParts(item, 0).payload);
-    const Bytes place = bytesOf(message);
-    bytes.push_back(message.frame);
-    bytes.push_back(static_cast<uint8_t>(message.command));
-    bytes.push_back(static_cast<uint8_t>(message.command >> 8));
-    bytes.push_back(message.autocontinue);
-    bytes.insert(bytes.end(), place.begin(), place.begin() + 28);  // param1 to z
-  }
   uint32_t sum = 0;
-  for (uint8_t byte : bytes) {
-    for (int bit = 0; bit < 8; ++bit) {
-      const bool isSet = ((sum ^ static_cast<uint32_t>(byte >> bit)) & 1) != 0;
-      sum = (sum >> 1) ^ (isSet ? 0xEDB88320u : 0u);
-    }
-  }
+  for (const MissionItem& item : items)
+    sum = px4Checksum(sum, messageIn<mavlink_mission_item_int_t>(itemParts(0, item).payload));
   return sum;
 }
 
 bool holdsName(const Bytes& heard, const WireItems& meant) {
   const uint32_t name = nameOf(meant);
-  for (size_t at = 0; at < heard.size(); ++at) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    if (!isRight(heard, at, id, payload, size) || id != MAVLINK_MSG_ID_MISSION_COUNT) continue;
-    const mavlink_mission_count_t count = messageIn<mavlink_mission_count_t>(payload);
-    if (!isForUs(count.target_system, count.target_component) || count.mission_type != 0) continue;
+  for (const FrameParts& frame : framesIn(heard)) {
+    const mavlink_mission_count_t count = messageIn<mavlink_mission_count_t>(frame.payload);
+    if (frame.messageId != MAVLINK_MSG_ID_MISSION_COUNT || count.mission_type != 0) continue;
+    if (!isForUs(count.target_system, count.target_component)) continue;
     if (count.count == meant.size() && count.opaque_id == name) return true;
   }
   return false;
@@ -207,23 +129,17 @@ bool holdsName(const Bytes& heard, const WireItems& meant) {
 
 bool announces(const Bytes& written, uint16_t& announced) {
   bool isThere = false;
-  for (size_t at = 0; at < written.size(); ++at) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    if (!isRight(written, at, id, payload, size)) continue;
-    if (id == MAVLINK_MSG_ID_MISSION_COUNT) announced = messageIn<mavlink_mission_count_t>(payload).count;
-    isThere = isThere || id == MAVLINK_MSG_ID_MISSION_COUNT || id == MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST;
+  for (const FrameParts& frame : framesIn(written)) {
+    const bool isCount = frame.messageId == MAVLINK_MSG_ID_MISSION_COUNT;
+    if (isCount) announced = messageIn<mavlink_mission_count_t>(frame.payload).count;
+    isThere = isThere || isCount || frame.messageId == MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST;
   }
   return isThere;
 }
 
 bool holdsMessage(const Bytes& bytes, uint32_t messageId) {
-  for (size_t at = 0; at < bytes.size(); ++at) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    if (isRight(bytes, at, id, payload, size) && id == messageId) return true;
+  for (const FrameParts& frame : framesIn(bytes)) {
+    if (frame.messageId == messageId) return true;
   }
   return false;
 }

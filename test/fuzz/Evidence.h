@@ -4,8 +4,10 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 
-#include "Frames.h"
+#include "PlanFrames.h"
 #include "mavmission/autopilot/Commands.h"
 #include "mavmission/item/MissionItem.h"
 
@@ -13,22 +15,34 @@ constexpr uint8_t kAutopilot = 1;  // its system and component, and the system o
 constexpr uint8_t kClient = 191;   // the client's component
 
 // Ends the program with what was violated.
-void demand(bool holds, const char* what);
+inline void demand(bool holds, const char* what) {
+  if (holds) return;
+  fprintf(stderr, "%s\n", what);
+  abort();
+}
+
+// The bytes of the input, as far as they go.
+struct Input {
+  const uint8_t* data;
+  size_t size;
+  bool isOver() const { return size == 0; }
+  uint8_t next() {
+    if (size == 0) return 0;
+    --size;
+    return *data++;
+  }
+};
 
 // Where the frame at `at` begins: behind the 12 zeros that stand before it on a lossy link, if they are all there.
 size_t behindFill(const Bytes& bytes, size_t at);
-// True if a frame of a known message lies at `at`; its payload is filled up with zeros.
-bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t& size);
+// The frames that are right to the checksum, wherever they lie.
+std::vector<FrameParts> framesIn(const Bytes& bytes);
 
 // A plan as it is to go over the wire.
 typedef std::vector<mavmission::MissionItem> WireItems;
 
 // The wire items of the first `count` items of `plan` for an autopilot of this kind.
 WireItems wireItems(const mavmission::MissionItem* plan, uint16_t count, mavmission::Firmware firmware);
-
-// A MISSION_ITEM_INT of a mission, as the autopilot gives it.
-FrameParts itemParts(const mavmission::MissionItem& item, uint16_t sequence);
-FrameParts countParts(uint16_t count, uint32_t opaqueId = 0);
 
 // True if, in these bytes, item `last` is asked for, and behind that a mission is accepted, both by the autopilot and
 // for us; of an empty plan (`isEmpty`) nothing is asked for.

@@ -39,18 +39,6 @@ const uint16_t kWaitingLimitS = 10;
 const uint16_t kBackOffLimitS = 20;
 const long kMostHeldBack = 66;  // bytes that the parser keeps of a frame
 
-// The bytes of the input, as far as they go.
-struct Input {
-  const uint8_t* data;
-  size_t size;
-  bool isOver() const { return size == 0; }
-  uint8_t next() {
-    if (size == 0) return 0;
-    --size;
-    return *data++;
-  }
-};
-
 const MissionItem kPlan[] = {
     takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), changeSpeed(5_mps),
     jump(1, 2),    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m), returnToLaunch(),
@@ -199,23 +187,18 @@ class Session {
       case 24: return uploadAgain();
       case 25: {
         const uint16_t current = input.next();
-        mavlink_mission_current_t message = mavlink_mission_current_t();
-        message.seq = current;
-        message.total = what >= 128 ? 6 : 0;
-        message.mission_state = static_cast<uint8_t>(current % 6);
-        message.mission_id = current * 7u;
-        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), input);
+        const uint16_t total = what >= 128 ? 6 : 0;
+        return bring(currentParts(current, total, static_cast<uint8_t>(current % 6), current * 7u), input);
       }
       case 26: {
         mavlink_mission_item_reached_t message = {input.next()};
-        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC),
-                     input);
+        return bring(FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_REACHED, message), input);
       }
       case 27: {
         mavlink_statustext_t message = mavlink_statustext_t();
         if (what >= 128) memcpy(message.text, "Mission rejected", 16);
         memset(message.text + 16, 'x', input.next() % 35);
-        return bring(partsOf(message, MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC), input);
+        return bring(FrameParts(MAVLINK_MSG_ID_STATUSTEXT, message), input);
       }
       case 28: return bring(FrameParts(24, Bytes(what >= 128 ? 52 : 30, input.next()), 24), input);
       case 29:  // the other autopilot of two, which is not listened to
@@ -312,16 +295,6 @@ class Session {
     }
   }
 
-  template <typename T>
-  static FrameParts partsOf(const T& message, uint32_t id, uint8_t crcExtra) {
-    const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-    return FrameParts(id, Bytes(begin, begin + sizeof(message)), crcExtra);
-  }
-
-  static FrameParts currentParts(const mavlink_mission_current_t& current) {
-    return partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC);
-  }
-
   // How = 0: as it is; otherwise a bit of its payload is another.
   static FrameParts altered(FrameParts parts, uint8_t how) {
     if (how != 0) parts.payload[(how - 1u) % parts.payload.size()] ^= static_cast<uint8_t>(1 << how % 8);
@@ -329,20 +302,16 @@ class Session {
   }
 
   FrameParts itemInPlan(uint16_t sequence) const {
-    return itemParts(sequence < meant_.size() ? meant_[sequence] : kPlan[1], sequence);
+    return itemParts(sequence, sequence < meant_.size() ? meant_[sequence] : kPlan[1]);
   }
 
   // What an autopilot says to the client's last message, right or altered.
   void answer(Input& input) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    while (answered_ = behindFill(line_.written, answered_),
-           answered_ < line_.written.size() && isRight(line_.written, answered_, id, payload, size)) {
-      answered_ += size;
-      if (id == MAVLINK_MSG_ID_HEARTBEAT || size > 100) continue;
-      said_ = id;
-      saidPayload_ = payload;
+    for (FrameIn frame; frame = nextWritten(answered_), frame.isRight;) {
+      answered_ = frame.end;
+      if (frame.parts.messageId == MAVLINK_MSG_ID_HEARTBEAT || frame.size > 100) continue;
+      said_ = frame.parts.messageId;
+      saidPayload_ = frame.parts.payload;
     }
     const uint8_t how = input.next();
     const uint16_t sequence = static_cast<uint16_t>(saidPayload_[0] | saidPayload_[1] << 8);
@@ -357,31 +326,27 @@ class Session {
         return bring(altered(requestParts(item + 1), how), input);
       }
       case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
-        return bring(
-            altered(countParts(static_cast<uint16_t>(meant_.size()), meant_.size() % 2 ? nameOf(meant_) : 0), how),
-            input);
+        return bring(altered(countParts(static_cast<uint16_t>(meant_.size()), PlanType::Mission,
+                                        meant_.size() % 2 ? nameOf(meant_) : 0),
+                             how),
+                     input);
       case MAVLINK_MSG_ID_MISSION_REQUEST:
       case MAVLINK_MSG_ID_MISSION_REQUEST_INT: return bring(altered(itemInPlan(sequence), how), input);
-      case MAVLINK_MSG_ID_MISSION_SET_CURRENT: {
-        mavlink_mission_current_t current = mavlink_mission_current_t();
-        current.seq = sequence;
-        return bring(altered(currentParts(current), how), input);
-      }
+      case MAVLINK_MSG_ID_MISSION_SET_CURRENT: return bring(altered(currentParts(sequence, 0, 0), how), input);
       case MAVLINK_MSG_ID_COMMAND_LONG: {
-        if (saidPayload_[28] == (MAV_CMD_REQUEST_MESSAGE & 0xFF) && saidPayload_[29] == MAV_CMD_REQUEST_MESSAGE >> 8) {
-          mavlink_mission_current_t current = mavlink_mission_current_t();
-          current.seq = 1;
-          current.mission_state = MISSION_STATE_ACTIVE;
-          return bring(altered(currentParts(current), how), input);
-        }
-        mavlink_command_ack_t ack = mavlink_command_ack_t();
-        ack.command = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
-        ack.target_system = kAutopilot;
-        ack.target_component = kClient;
-        return bring(altered(partsOf(ack, MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC), how), input);
+        const uint16_t command = messageIn<mavlink_command_long_t>(saidPayload_).command;
+        const bool isQuestion = command == MAV_CMD_REQUEST_MESSAGE;
+        return bring(altered(isQuestion ? currentParts(1, 0) : commandAckParts(command, 0), how), input);
       }
       default: return bring(altered(ackParts(0), how), input);
     }
+  }
+
+  // The frame that was written at this place, with its end.
+  FrameIn nextWritten(size_t at) const {
+    FrameIn frame = frameAt(line_.written, behindFill(line_.written, at));
+    frame.end = behindFill(line_.written, at) + frame.size;
+    return frame;
   }
 
   // The wire item behind those that are uploaded.
@@ -436,14 +401,9 @@ class Session {
   Bytes writtenByOperation() const {
     size_t from = written_;
     if (isHeldBack_) {
-      uint32_t id;
-      Bytes payload;
-      size_t size;
-      const Bytes& bytes = line_.written;
-      for (from = 0;
-           from <= written_ && from < bytes.size() && isRight(bytes, behindFill(bytes, from), id, payload, size);)
-        from = behindFill(bytes, from) + size;
-      if (from <= written_) from = bytes.size();  // it is not whole yet
+      from = 0;
+      while (from <= written_ && nextWritten(from).isRight) from = nextWritten(from).end;
+      if (from <= written_) from = line_.written.size();  // it is not whole yet
     }
     return Bytes(line_.written.begin() + static_cast<long>(from), line_.written.end());
   }
@@ -518,44 +478,39 @@ class Session {
     size_t at = 0;
     unsigned cut = 0;  // a frame for an autopilot that is another one since a heartbeat leaves no further
     for (uint8_t sequence = 0; at < bytes.size(); ++sequence) {
-      uint32_t id;
-      Bytes payload;
-      size_t size = 0;
       const size_t from = at;
-      at = behindFill(bytes, at);
-      while (at < bytes.size() && !isRight(bytes, at, id, payload, size) && !isSpoilt(bytes, at, size)) ++at;
+      FrameIn frame;
+      for (at = behindFill(bytes, at); at < bytes.size(); ++at) {
+        frame = frameAt(bytes, at);
+        if (frame.isRight || isSpoilt(bytes, at, frame.size)) break;
+      }
       if (at == bytes.size()) {
         demand(++cut <= heartbeats_, "what was written is no frame");
         break;
       }
-      const uint8_t leftOut = static_cast<uint8_t>(bytes[at + (bytes[at] == 0xFD ? 4 : 2)] - sequence);
+      const uint8_t leftOut = static_cast<uint8_t>(frame.parts.sequence - sequence);
       cut += leftOut;
       sequence = static_cast<uint8_t>(sequence + leftOut);
       demand(cut <= heartbeats_, "a sequence number was left out or used twice");
       demand(leftOut != 0 || at == behindFill(bytes, from), "what was written is no frame");
       for (const OutgoingMessage& own : kLong) {
-        demand(id != own.id || memcmp(payload.data(), kLongPayload.data(), own.length) == 0,
-               "a message of the sketch's own was written as another");
+        const bool isOther = memcmp(frame.parts.payload.data(), kLongPayload.data(), own.length) != 0;
+        demand(frame.parts.messageId != own.id || !isOther, "a message of the sketch's own was written as another");
       }
-      if (id == MAVLINK_MSG_ID_COMMAND_LONG && !isSpoilt(bytes, at, size)) {
-        mavlink_command_long_t command;
-        memcpy(&command, payload.data(), sizeof(command));
+      if (frame.isRight && frame.parts.messageId == MAVLINK_MSG_ID_COMMAND_LONG) {
+        const mavlink_command_long_t command = messageIn<mavlink_command_long_t>(frame.parts.payload);
         const bool arms = command.command == MAV_CMD_COMPONENT_ARM_DISARM;
         demand(!arms || isZero(command.param2), "it arms or disarms by force");
       }
-      at += size;
+      at += frame.size;
     }
   }
 
   // A frame that was no longer true when its last byte left, which is therefore another one.
-  static bool isSpoilt(Bytes bytes, size_t at, size_t& size) {
-    uint32_t id;
-    Bytes payload;
-    if (bytes.size() - at < 12 || (bytes[at] != 0xFD && bytes[at] != 0xFE)) return false;
-    const size_t last = at + (bytes[at] == 0xFD ? 12u : 8u) + bytes[at + 1] - 1u;
-    if (last >= bytes.size()) return false;
-    bytes[last] ^= 0xFF;
-    return isRight(bytes, at, id, payload, size);
+  static bool isSpoilt(Bytes bytes, size_t at, size_t size) {
+    if (size == 0) return false;
+    bytes[at + size - 1] ^= 0xFF;
+    return frameAt(bytes, at).isRight;
   }
 
   static bool isZero(float value) {

@@ -28,17 +28,6 @@ namespace {
 
 const size_t kHeader = 10, kItem = 38, kFrameHead = 15;
 
-struct Input {
-  const uint8_t* data;
-  size_t size;
-  bool isOver() const { return size == 0; }
-  uint8_t next() {
-    if (size == 0) return 0;
-    --size;
-    return *data++;
-  }
-};
-
 // What ArduPilot makes of requests, and of files of plans.
 class Server {
  public:
@@ -199,16 +188,8 @@ const uint8_t kPlanItems = sizeof(kPlan) / sizeof(*kPlan);
 std::vector<Bytes> itemsInFile(uint8_t count) {
   std::vector<Bytes> items;
   for (const MissionItem& item : wireItems(kPlan, count, Firmware::ArduPilot)) {
-    mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
-    memcpy(static_cast<void*>(&message), &item, 28);
-    message.seq = static_cast<uint16_t>(items.size());
-    message.command = item.command;
-    message.frame = static_cast<uint8_t>(item.frame);
-    message.current = item.current;
-    message.autocontinue = item.autocontinue;
-    message.target_system = message.target_component = 1;
-    const uint8_t* bytes = reinterpret_cast<const uint8_t*>(&message);
-    items.push_back(Bytes(bytes, bytes + kItem));
+    items.push_back(itemParts(static_cast<uint16_t>(items.size()), item).payload);
+    items.back()[offsetof(mavlink_mission_item_int_t, target_component)] = 1;
   }
   return items;
 }
@@ -241,10 +222,7 @@ class Session {
     switch (what % 16) {
       case 0:
       case 1: return wait(1 + input.next());
-      case 2: {
-        FrameParts parts = heartbeatParts(3, what >= 192 ? 0x80 : 0);
-        return bring(parts);
-      }
+      case 2: return bring(heartbeatParts(3, what >= 192 ? 0x80 : 0));
       case 3:
       case 4:
       case 5:
@@ -369,13 +347,11 @@ class Session {
       demand(bytes[at_] == 0xFD, "what was written is no frame");
       const size_t size = bytes[at_ + 1] + 12u;
       if (bytes.size() - at_ < size) return;
-      uint32_t id = 0;
-      Bytes payload;
-      size_t length = 0;
-      const bool right = isRight(bytes, at_, id, payload, length);
-      demand(right || hasUploaded_, "what was written is no frame, and nothing was uploaded");
+      const FrameIn frame = frameAt(bytes, at_);
+      demand(frame.isRight || hasUploaded_, "what was written is no frame, and nothing was uploaded");
       at_ += size;
-      if (!right || id != MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL) continue;
+      if (!frame.isRight || frame.parts.messageId != MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL) continue;
+      const Bytes& payload = frame.parts.payload;
       demand(payload[1] == 1 && payload[2] == 1, "a request goes to somebody else");
       session_ = payload[5];
       if (requestsLost_ != 0) {

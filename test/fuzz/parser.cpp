@@ -17,7 +17,7 @@
 #include <map>
 #include <vector>
 
-#include "Frames.h"
+#include "Evidence.h"
 #include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/link/Messages.h"
 
@@ -29,12 +29,6 @@ struct Place {
   size_t begin, end;
 };
 
-void demand(bool holds, const char* what) {
-  if (holds) return;
-  fprintf(stderr, "%s\n", what);
-  abort();
-}
-
 // The frame as it lies in the bytes, by its length; its end is beyond them if it does not fit.
 Place placeAt(const Bytes& bytes, size_t begin) {
   const bool v2 = bytes[begin] == 0xFD;
@@ -45,7 +39,7 @@ Place placeAt(const Bytes& bytes, size_t begin) {
 }
 
 // What a parser tells of a frame: its flags are not among that.
-Bytes frameAt(const Bytes& bytes, Place place) {
+Bytes toldAt(const Bytes& bytes, Place place) {
   Bytes frame(bytes.begin() + static_cast<long>(place.begin), bytes.begin() + static_cast<long>(place.end) - 2);
   if (frame[0] == 0xFD) frame[2] = frame[3] = 0;
   return frame;
@@ -70,26 +64,20 @@ std::vector<Place> ours(const Bytes& bytes) {
   std::vector<Place> places;
   size_t from = 0;
   for (const Found& frame : wanted(found)) {
-    const mavmission::MessageKey* key = mavmission::detail::wantedKey(frame.messageId);
-    demand(key != nullptr, "a message that is not wanted was given as wanted");
+    demand(mavmission::detail::wantedKey(frame.messageId) != nullptr,
+           "a message that is not wanted was given as wanted");
+    Bytes payload = frame.payload;
+    payload.resize(255, 0);
     bool there = false;
     for (; from < bytes.size() && !there; ++from) {
-      if (bytes[from] != (frame.version == 2 ? 0xFD : 0xFE)) continue;
-      for (uint8_t compatibility : {bytes.size() > from + 3 ? bytes[from + 3] : uint8_t(0)}) {
-        FrameParts parts(frame.messageId, frame.payload, key->crcExtra);
-        parts.version = frame.version;
-        parts.sequence = frame.sequence;
-        parts.systemId = frame.systemId;
-        parts.componentId = frame.componentId;
-        parts.compatibility = compatibility;
-        if (frame.version == 2 && bytes.size() > from + 2) parts.incompatibility = bytes[from + 2] & 1;
-        Bytes expected = packed(parts);
-        if (parts.incompatibility) expected.resize(expected.size() - 13);
-        if (expected.size() > bytes.size() - from) continue;
-        if (memcmp(expected.data(), bytes.data() + from, expected.size()) != 0) continue;
-        places.push_back(Place{from, from + expected.size()});
-        there = true;
-      }
+      const FrameIn in = frameAt(bytes, from);
+      if (!in.isRight || bytes[from + 1] != frame.payload.size()) continue;
+      if (in.parts.messageId != frame.messageId || in.parts.payload != payload) continue;
+      if (in.parts.version != frame.version || in.parts.sequence != frame.sequence) continue;
+      if (in.parts.systemId != frame.systemId || in.parts.componentId != frame.componentId) continue;
+      if (frame.version == 2 && bytes[from + 2] > 1) continue;  // with flags that it refuses
+      places.push_back(Place{from, from + in.size});
+      there = true;
     }
     demand(there, "a frame was given that is not in the bytes, or twice, or not in their order");
     from = places.back().end;
@@ -124,11 +112,10 @@ std::vector<Place> stock(const Bytes& bytes) {
 std::vector<Place> withTheirLikes(const Bytes& bytes, const std::vector<Place>& given) {
   std::vector<Place> places = given;
   for (const Place& one : given) {
-    const Bytes said = frameAt(bytes, one);
+    const Bytes said = toldAt(bytes, one);
     for (size_t begin = 0; begin < bytes.size(); ++begin) {
       const Place place = {begin, begin + (one.end - one.begin)};
-      if (bytes[begin] == said[0] && place.end <= bytes.size() && frameAt(bytes, place) == said)
-        places.push_back(place);
+      if (bytes[begin] == said[0] && place.end <= bytes.size() && toldAt(bytes, place) == said) places.push_back(place);
     }
   }
   return places;
@@ -151,9 +138,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       if (bytes[begin] != 0xFD && bytes[begin] != 0xFE) continue;
       if (isCarrierAt(bytes, begin) && placeAt(bytes, begin).end > theirs.begin) excused = true;
     }
-    if (!excused) ++missing[frameAt(bytes, theirs)];
+    if (!excused) ++missing[toldAt(bytes, theirs)];
   }
-  for (const Place& place : given) --missing[frameAt(bytes, place)];
+  for (const Place& place : given) --missing[toldAt(bytes, place)];
   for (const auto& one : missing) demand(one.second <= 0, "a frame that MAVLink's own parser gives was lost");
   return 0;
 }

@@ -50,9 +50,8 @@ int AnsweringPeer::resultOf(int request) {
 }
 
 Bytes AnsweringPeer::packedAgain(const SentFrame& frame, uint8_t crcExtra) {
-  FrameParts parts(frame.messageId, Bytes(frame.frame.begin() + 10, frame.frame.end() - 2), crcExtra);
-  parts.sequence = frame.frame[4];
-  parts.systemId = frame.frame[5];
-  parts.componentId = frame.frame[6];
+  FrameParts parts = frameAt(frame.frame).parts;
+  parts.payload.resize(frame.frame[1]);
+  parts.crcExtra = crcExtra;
   return packed(parts);
 }

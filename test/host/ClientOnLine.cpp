@@ -1,5 +1,8 @@
 #include "ClientOnLine.h"
 
+#include "PlanFrames.h"
+#include "mavmission/base/MavlinkHeaders.h"
+
 ClientOnLine::ClientOnLine(uint8_t autopilot, uint32_t startMs) : client(line), autopilot_(autopilot), nowMs_(startMs) {
   setMillis(nowMs_);
 }
@@ -44,31 +47,16 @@ std::vector<uint32_t> ClientOnLine::timesOf(uint16_t messageId, uint32_t from) c
   return times;
 }
 
-bool ClientOnLine::isForVehicle(uint16_t id, const Bytes& payload) {
-  const uint8_t low = 3000 & 255, high = 3000 >> 8;
-  if (id != 76 || payload[28] != low || payload[29] != high) return false;
-  hear(FrameParts(77, {low, high, 3, 0, 0, 0, 0, 0, 1, 191}, 143));
+bool ClientOnLine::isForVehicle(const FrameParts& parts) {
+  const mavlink_command_long_t command = messageIn<mavlink_command_long_t>(parts.payload);
+  if (parts.messageId != MAVLINK_MSG_ID_COMMAND_LONG || command.command != MAV_CMD_DO_VTOL_TRANSITION) return false;
+  hear(commandAckParts(command.command, MAV_RESULT_UNSUPPORTED));
   return true;
 }
 
 void ClientOnLine::note(const Bytes& bytes) {
-  unread_ = unread_ + bytes;
-  while (unread_.size() > 2) {
-    if (unread_[0] == 0) {  // what fills before a repeat
-      unread_.erase(unread_.begin());
-      continue;
-    }
-    const bool isV2 = unread_[0] == 0xFD;
-    const size_t header = isV2 ? 10 : 6;
-    const size_t length = header + unread_[1] + 2;
-    if (unread_.size() < length) return;
-    const uint16_t id = static_cast<uint16_t>(isV2 ? unread_[7] | unread_[8] << 8 : unread_[5]);
-    Bytes payload(unread_.begin() + static_cast<long>(header), unread_.begin() + static_cast<long>(length - 2));
-    payload.resize(255);
-    if (!(saysVehicle && isForVehicle(id, payload))) {
-      const Bytes frame(unread_.begin(), unread_.begin() + static_cast<long>(length));
-      sent.push_back({nowMs_, id, payload, frame});
-    }
-    unread_.erase(unread_.begin(), unread_.begin() + static_cast<long>(length));
+  for (const FrameIn& frame : cutter_.take(bytes)) {
+    if (saysVehicle && isForVehicle(frame.parts)) continue;
+    sent.push_back({nowMs_, static_cast<uint16_t>(frame.parts.messageId), frame.parts.payload, frame.bytes});
   }
 }

@@ -54,12 +54,12 @@ class ClientOnLine {
 
  private:
   // DO_VTOL_TRANSITION, which a vehicle that is no plane answers with UNSUPPORTED.
-  bool isForVehicle(uint16_t id, const Bytes& payload);
+  bool isForVehicle(const FrameParts& parts);
 
   void note(const Bytes& bytes);
 
   uint8_t autopilot_;
   uint8_t sequence_ = 0;
   uint32_t nowMs_;
-  Bytes unread_;
+  FrameCutter cutter_;
 };

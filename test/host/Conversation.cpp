@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <stdexcept>
 
 #include "Px4Checksum.h"
@@ -30,9 +32,7 @@ int indexOf(const std::string& word, const char* const (&words)[N]) {
 
 template <typename Value>
 Value valueAt(const SentFrame& frame, size_t at) {
-  Value value;
-  memcpy(&value, &frame.payload[at], sizeof(value));
-  return value;
+  return messageIn<Value>(Bytes(frame.payload.begin() + static_cast<long>(at), frame.payload.end()));
 }
 
 std::string textOf(double value) {
@@ -175,46 +175,32 @@ void Conversation::happens(const std::string& whole) {
     return tell(commandAckParts(command, static_cast<uint8_t>(known < 0 ? static_cast<int>(numberIn(word)) : known)));
   }
   if (begins(event, "current ")) {
-    mavlink_mission_current_t message = mavlink_mission_current_t();
-    message.seq = static_cast<uint16_t>(numberIn(event.substr(8)));
-    message.total = static_cast<uint16_t>(numberIn(ofType));
-    message.mission_state = MISSION_STATE_ACTIVE;
-    return tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message);
+    const uint16_t item = static_cast<uint16_t>(numberIn(event.substr(8)));
+    return tell(currentParts(item, static_cast<uint16_t>(numberIn(ofType))));
   }
   throw std::invalid_argument("there is no event \"" + whole + "\"");
 }
 
 bool Conversation::isCall(const std::string& event) {
-  Status status = Status::WaitingForAutopilot;
-  if (event == "upload") {
-    status = client.upload(plan, type);
-  } else if (event == "upload unread") {
-    status = client.uploadWithoutReadback(plan, type);
-  } else if (event == "upload always") {
-    status = client.upload(plan, type, Readback::Always);
-  } else if (event == "again") {
-    status = client.uploadAgain();
-  } else if (event == "verify") {
-    status = client.verify(plan, type);
-  } else if (event == "ensure") {
-    status = client.ensure(plan, type);
-  } else if (event == "ensure always") {
-    status = client.ensure(plan, type, Readback::Always);
-  } else if (event == "clear") {
-    status = client.clear(type);
-  } else if (event == "download") {
-    status = client.download(toFunction(take, nullptr), type);
-  } else if (event == "send") {
-    status = client.send(command);
-  } else if (event == "arm") {
-    status = client.arm();
-  } else if (event == "disarm") {
-    status = client.disarm();
-  } else if (event == "cancel") {
-    client.cancel();
-  } else {
-    return false;
-  }
+  typedef std::function<Status()> Call;
+  const std::map<std::string, Call> calls = {
+      {"upload", [this] { return client.upload(plan, type); }},
+      {"upload unread", [this] { return client.uploadWithoutReadback(plan, type); }},
+      {"upload always", [this] { return client.upload(plan, type, Readback::Always); }},
+      {"again", [this] { return client.uploadAgain(); }},
+      {"verify", [this] { return client.verify(plan, type); }},
+      {"ensure", [this] { return client.ensure(plan, type); }},
+      {"ensure always", [this] { return client.ensure(plan, type, Readback::Always); }},
+      {"clear", [this] { return client.clear(type); }},
+      {"download", [this] { return client.download(toFunction(take, nullptr), type); }},
+      {"send", [this] { return client.send(command); }},
+      {"arm", [this] { return client.arm(); }},
+      {"disarm", [this] { return client.disarm(); }},
+  };
+  if (event == "cancel") client.cancel();
+  const auto call = calls.find(event);
+  if (call == calls.end()) return event == "cancel";
+  const Status status = call->second();
   if (status == Status::Busy) say("Busy");
   return true;
 }
@@ -341,15 +327,7 @@ void Conversation::tell(const FrameParts& parts) {
 }
 
 void Conversation::beat() {
-  mavlink_heartbeat_t message = mavlink_heartbeat_t();
-  message.custom_mode = mode;
-  message.type = vehicle;
-  message.autopilot = kind_;
-  message.base_mode = baseMode;
-  message.system_status = MAV_STATE_ACTIVE;
-  message.mavlink_version = 3;
-  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-  FrameParts parts(0, Bytes(begin, begin + sizeof(message)), 50);
+  FrameParts parts = heartbeatParts(kind_, baseMode, mode, vehicle, MAV_STATE_ACTIVE);
   parts.version = mavlinkVersion;
   hear(parts);
 }

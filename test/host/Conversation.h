@@ -69,8 +69,7 @@ class Conversation : public ClientOnLine {
   void beat();
   template <typename Message>
   void tell(uint16_t id, uint8_t crcExtra, const Message& message) {
-    const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-    tell(FrameParts(id, Bytes(begin, begin + sizeof(Message)), crcExtra));
+    tell(FrameParts(id, message, crcExtra));
   }
 
   // How many of these bytes an update() takes.

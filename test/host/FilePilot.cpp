@@ -42,21 +42,6 @@ FilePilot& FilePilot::has(const Plan& plan) {
   return *this;
 }
 
-FilePilot& FilePilot::answering(uint8_t opcode, int result) {
-  gives[opcode] = result;
-  return *this;
-}
-
-FilePilot& FilePilot::answering() {
-  gives.clear();
-  return *this;
-}
-
-FilePilot& FilePilot::serving() {
-  servesItems = true;
-  return *this;
-}
-
 FilePilot& FilePilot::armed(bool isAllowed) {
   baseMode = 128 | 1;
   beat();
@@ -73,21 +58,6 @@ FilePilot& FilePilot::losing() {
   return *this;
 }
 
-FilePilot& FilePilot::upload(const Plan& plan, PlanType ofType) {
-  files.upload(sourceOf(plan), ofType);
-  return *this;
-}
-
-FilePilot& FilePilot::verify(const Plan& plan) {
-  files.verify(sourceOf(plan));
-  return *this;
-}
-
-FilePilot& FilePilot::ensure(const Plan& plan, PlanType ofType) {
-  files.ensure(sourceOf(plan), ofType);
-  return *this;
-}
-
 FilePilot& FilePilot::download(uint16_t limit, PlanType ofType) {
   taken.clear();
   files.download(mavmission::toFunction(take, this, limit), ofType);
@@ -96,16 +66,6 @@ FilePilot& FilePilot::download(uint16_t limit, PlanType ofType) {
 
 FilePilot& FilePilot::until(const std::string& words) {
   if (!passUntil(words)) throw std::runtime_error("never said: " + words);
-  return *this;
-}
-
-FilePilot& FilePilot::wait(uint32_t ms) {
-  pass(ms);
-  return *this;
-}
-
-FilePilot& FilePilot::cancel() {
-  client.cancel();
   return *this;
 }
 
@@ -119,17 +79,10 @@ Bytes FilePilot::bytesOf(mavmission::MissionItem item, uint16_t seq) const {
 }
 
 mavlink_mission_item_int_t FilePilot::itemAboard(size_t number) const {
-  mavlink_mission_item_int_t message;
-  memcpy(&message, plans[type].at(number).data(), sizeof(message));
-  return message;
+  return messageIn<mavlink_mission_item_int_t>(plans[type].at(number));
 }
 
-Bytes FilePilot::home() const {
-  mavmission::MissionItem item =
-      mavmission::waypoint(mavmission::Degrees::fromE7(-353632621), mavmission::Degrees::fromE7(1491652374),
-                           mavmission::aboveSeaLevel(mavmission::Metres(584)));
-  return bytesOf(item, 0);
-}
+Bytes FilePilot::home() const { return bytesOf(homeItem(), 0); }
 
 void FilePilot::beat() {
   FrameParts parts = heartbeatParts(isPx4_ ? kPx4 : kArduPilot, baseMode);

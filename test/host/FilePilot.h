@@ -52,18 +52,37 @@ class FilePilot : public AnsweringPeer {
   // What happens, one after the other. It is found, and no file is open any more...
   FilePilot& settle();
   FilePilot& has(const Plan& plan);  // an earlier upload has left it aboard
-  FilePilot& answering(uint8_t opcode, int result);
-  FilePilot& answering();  // as it should
-  FilePilot& serving();
+  FilePilot& answering(uint8_t opcode, int result) {
+    gives[opcode] = result;
+    return *this;
+  }
+  FilePilot& answering() {  // as it should
+    gives.clear();
+    return *this;
+  }
+  FilePilot& serving() {
+    servesItems = true;
+    return *this;
+  }
   FilePilot& armed(bool isAllowed = true);
   FilePilot& losing();  // three of four frames
-  FilePilot& upload(const Plan& plan, mavmission::PlanType ofType = mavmission::PlanType::Mission);
-  FilePilot& verify(const Plan& plan);
-  FilePilot& ensure(const Plan& plan, mavmission::PlanType ofType = mavmission::PlanType::Mission);
+  FilePilot& upload(const Plan& plan, mavmission::PlanType ofType = mavmission::PlanType::Mission) {
+    return having(files.upload(sourceOf(plan), ofType));
+  }
+  FilePilot& verify(const Plan& plan) { return having(files.verify(sourceOf(plan))); }
+  FilePilot& ensure(const Plan& plan, mavmission::PlanType ofType = mavmission::PlanType::Mission) {
+    return having(files.ensure(sourceOf(plan), ofType));
+  }
   FilePilot& download(uint16_t limit = 0xFFFE, mavmission::PlanType ofType = mavmission::PlanType::Mission);
   FilePilot& until(const std::string& words);  // have been said
-  FilePilot& wait(uint32_t ms);
-  FilePilot& cancel();
+  FilePilot& wait(uint32_t ms) {
+    pass(ms);
+    return *this;
+  }
+  FilePilot& cancel() {
+    client.cancel();
+    return *this;
+  }
 
   // How the operation ends: its status, the item and the field that it names, whether it went by file, what is aboard,
   // and all that was said. Where it goes over to the mission protocol, which is not served, what was said until then.
@@ -92,6 +111,8 @@ class FilePilot : public AnsweringPeer {
     bool isComplete;
   };
 
+  // The same autopilot, with an operation begun.
+  FilePilot& having(mavmission::Status) { return *this; }
   void one() override;
   void in(uint32_t ms, const Due& due) { due_.insert({nowMs() + ms, due}); }
 

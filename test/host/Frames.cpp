@@ -1,8 +1,9 @@
 #include "Frames.h"
 
-#include <string.h>
+#include <stdexcept>
 
 #include "mavmission/base/Checksum.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 using mavmission::detail::FrameParser;
 
@@ -40,8 +41,65 @@ Bytes packed(const FrameParts& parts) {
   return frame;
 }
 
-FrameParts heartbeatParts(uint8_t autopilot, uint8_t baseMode) {
-  return FrameParts(0, {0, 0, 0, 0, 2, autopilot, baseMode, 3, 3}, 50);
+uint8_t crcExtraOf(uint32_t messageId) {
+  const mavlink_msg_entry_t* const entry = mavlink_get_msg_entry(messageId);
+  return entry == nullptr ? uint8_t{0} : entry->crc_extra;
+}
+
+FrameIn frameAt(const Bytes& bytes, size_t at) {
+  FrameIn found;
+  if (at >= bytes.size() || (bytes[at] != 0xFD && bytes[at] != 0xFE)) return found;
+  const bool isV2 = bytes[at] == 0xFD;
+  const size_t header = isV2 ? 10 : 6;
+  if (bytes.size() - at < header || bytes.size() - at < header + bytes[at + 1] + 2) return found;
+  found.size = header + bytes[at + 1] + 2;
+  const uint8_t* const frame = &bytes[at];
+  FrameParts& parts = found.parts;
+  parts.messageId = isV2 ? static_cast<uint32_t>(frame[7] | frame[8] << 8 | frame[9] << 16) : frame[5];
+  parts.version = isV2 ? 2 : 1;
+  parts.sequence = frame[isV2 ? 4 : 2];
+  parts.systemId = frame[isV2 ? 5 : 3];
+  parts.componentId = frame[isV2 ? 6 : 4];
+  parts.payload.assign(frame + header, frame + found.size - 2);
+  parts.payload.resize(255, 0);
+  parts.crcExtra = crcExtraOf(parts.messageId);
+  uint16_t crc = X25_INIT_CRC;
+  for (size_t i = 1; i < found.size - 2; ++i) crc_accumulate(frame[i], &crc);
+  crc_accumulate(parts.crcExtra, &crc);
+  found.isRight = mavlink_get_msg_entry(parts.messageId) != nullptr && frame[found.size - 2] == (crc & 0xFF) &&
+                  frame[found.size - 1] == crc >> 8;
+  return found;
+}
+
+std::vector<FrameIn> FrameCutter::take(const Bytes& bytes) {
+  std::vector<FrameIn> found;
+  const size_t before = unread_.size();
+  unread_ = unread_ + bytes;
+  size_t at = 0;
+  for (; at < unread_.size(); ++at) {
+    if (unread_[at] == 0) continue;
+    FrameIn frame = frameAt(unread_, at);
+    if (unread_[at] != 0xFD && unread_[at] != 0xFE) throw std::runtime_error("what is sent is no MAVLink frame");
+    if (frame.size == 0) break;
+    const auto begin = unread_.begin() + static_cast<long>(at);
+    frame.bytes.assign(begin, begin + static_cast<long>(frame.size));
+    at += frame.size - 1;
+    frame.end = at + 1 - before;
+    found.push_back(frame);
+  }
+  unread_.erase(unread_.begin(), unread_.begin() + static_cast<long>(at));
+  return found;
+}
+
+FrameParts heartbeatParts(uint8_t autopilot, uint8_t baseMode, uint32_t mode, uint8_t type, uint8_t state) {
+  mavlink_heartbeat_t message = mavlink_heartbeat_t();
+  message.custom_mode = mode;
+  message.type = type;
+  message.autopilot = autopilot;
+  message.base_mode = baseMode;
+  message.system_status = state;
+  message.mavlink_version = 3;
+  return FrameParts(MAVLINK_MSG_ID_HEARTBEAT, message);
 }
 
 FrameParts requestParts(uint16_t item, uint8_t targetSystem, uint8_t targetComponent, uint8_t type) {

@@ -46,14 +46,8 @@ struct Flown : ClientOnLine {
   }
 
   void beat() {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = mode;
-    message.type = type;
-    message.autopilot = isPx4 ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA;
-    message.base_mode = baseMode;
-    message.system_status = MAV_STATE_ACTIVE;
-    message.mavlink_version = 3;
-    tell(0, 50, message);
+    const uint8_t autopilot = isPx4 ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA;
+    hear(heartbeatParts(autopilot, baseMode, mode, type, MAV_STATE_ACTIVE));
   }
   template <typename Message>
   void tell(uint16_t id, uint8_t crcExtra, const Message& message) {
@@ -114,16 +108,9 @@ struct Flown : ClientOnLine {
   static bool isForHeartbeat(const SentFrame& frame) {
     return frame.messageId == kCommand && commandOf(frame) == MAV_CMD_REQUEST_MESSAGE && paramOf(frame, 0) == 0;
   }
-  void answer(uint16_t command, uint8_t result) {
-    hear(FrameParts(
-        77, {static_cast<uint8_t>(command), static_cast<uint8_t>(command >> 8), result, 0, 0, 0, 0, 0, 1, 191}, 143));
-  }
+  void answer(uint16_t command, uint8_t result) { hear(commandAckParts(command, result)); }
   void tellCurrent(uint16_t item, uint8_t state = MISSION_STATE_ACTIVE, uint16_t total = 4) {
-    mavlink_mission_current_t message = mavlink_mission_current_t();
-    message.seq = item;
-    message.total = total;
-    message.mission_state = state;
-    tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message);
+    hear(currentParts(item, total, state));
   }
   void upload() {
     client.upload(inRam(kFlownPlan));

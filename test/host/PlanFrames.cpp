@@ -4,13 +4,18 @@
 
 #include "mavmission/base/MavlinkHeaders.h"
 
-FrameParts countParts(uint16_t items, mavmission::PlanType type, uint32_t opaqueId) {
-  Bytes payload = {static_cast<uint8_t>(items), static_cast<uint8_t>(items >> 8), 1, 191, static_cast<uint8_t>(type)};
-  for (int shift = 0; shift < 32; shift += 8) payload.push_back(static_cast<uint8_t>(opaqueId >> shift));
-  return FrameParts(MAVLINK_MSG_ID_MISSION_COUNT, payload, MAVLINK_MSG_ID_MISSION_COUNT_CRC);
+FrameParts countParts(uint16_t items, mavmission::PlanType type, uint32_t opaqueId, uint8_t targetSystem) {
+  mavlink_mission_count_t message = mavlink_mission_count_t();
+  message.count = items;
+  message.target_system = targetSystem;
+  message.target_component = 191;
+  message.mission_type = static_cast<uint8_t>(type);
+  message.opaque_id = opaqueId;
+  return FrameParts(MAVLINK_MSG_ID_MISSION_COUNT, message);
 }
 
-FrameParts itemParts(uint16_t seq, const mavmission::MissionItem& item, mavmission::PlanType type) {
+FrameParts itemParts(uint16_t seq, const mavmission::MissionItem& item, mavmission::PlanType type,
+                     uint8_t targetSystem) {
   mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
   message.param1 = item.param1;
   message.param2 = item.param2;
@@ -21,15 +26,13 @@ FrameParts itemParts(uint16_t seq, const mavmission::MissionItem& item, mavmissi
   message.z = item.z;
   message.seq = seq;
   message.command = item.command;
-  message.target_system = 1;
+  message.target_system = targetSystem;
   message.target_component = 191;
   message.frame = static_cast<uint8_t>(item.frame);
   message.current = item.current;
   message.autocontinue = item.autocontinue;
   message.mission_type = static_cast<uint8_t>(type);
-  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-  return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT, Bytes(begin, begin + sizeof(message)),
-                    MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC);
+  return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
 }
 
 FrameParts floatItemParts(uint16_t seq, const mavmission::MissionItem& item, float x, float y) {
@@ -46,8 +49,20 @@ mavmission::MissionItem homeItem() {
   return anyCommandAt(kNavWaypoint, -35.3632621_deg, 149.1652374_deg, aboveSeaLevel(584_m));
 }
 
-FrameParts commandAckParts(uint16_t command, uint8_t result) {
-  const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
-  return FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, result, 0, 0, 0, 0, 0, 1, 191},
-                    MAVLINK_MSG_ID_COMMAND_ACK_CRC);
+FrameParts commandAckParts(uint16_t command, uint8_t result, uint8_t targetSystem) {
+  mavlink_command_ack_t message = mavlink_command_ack_t();
+  message.command = command;
+  message.result = result;
+  message.target_system = targetSystem;
+  message.target_component = 191;
+  return FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, message);
+}
+
+FrameParts currentParts(uint16_t item, uint16_t total, uint8_t state, uint32_t planId) {
+  mavlink_mission_current_t message = mavlink_mission_current_t();
+  message.seq = item;
+  message.total = total;
+  message.mission_state = state;
+  message.mission_id = planId;
+  return FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, message);
 }

@@ -26,9 +26,7 @@ inline uint32_t px4Checksum(const mavmission::MissionItem* plan, uint16_t count)
     mavmission::MissionItem item = plan[seq];
     item.frame =
         item.frame == CoordinateFrame::GlobalRelative ? CoordinateFrame::GlobalRelative : CoordinateFrame::Mission;
-    mavlink_mission_item_int_t message;
-    memcpy(&message, itemParts(seq, item).payload.data(), sizeof(message));
-    sum = px4Checksum(sum, message);
+    sum = px4Checksum(sum, messageIn<mavlink_mission_item_int_t>(itemParts(seq, item).payload));
   }
   return sum;
 }

@@ -25,11 +25,6 @@ Aircraft& Aircraft::fly(uint32_t inMode) {
   return *this;
 }
 
-Aircraft& Aircraft::wait(uint32_t ms) {
-  pass(ms);
-  return *this;
-}
-
 Aircraft& Aircraft::until(uint16_t command) {
   if (!passUntil(command)) throw std::runtime_error("never sent: " + std::to_string(command));
   return *this;
@@ -50,43 +45,6 @@ Aircraft& Aircraft::atHeight(int32_t aboveHomeMm) {
   seaMm = 584000 + aboveHomeMm;
   tellPosition();
   return wait(2);
-}
-
-Aircraft& Aircraft::takeOff(mavmission::Metres height) {
-  steering.takeOff(height);
-  return *this;
-}
-
-Aircraft& Aircraft::goTo(mavmission::Altitude altitude) { return goTo(kThere, altitude); }
-
-Aircraft& Aircraft::goTo(const mavmission::LatLon& place, mavmission::Altitude altitude) {
-  steering.goTo(place, altitude);
-  return *this;
-}
-
-Aircraft& Aircraft::setSpeed(float metresPerSecond) {
-  steering.setSpeed(mavmission::MetresPerSecond(metresPerSecond));
-  return *this;
-}
-
-Aircraft& Aircraft::pause() {
-  steering.pause();
-  return *this;
-}
-
-Aircraft& Aircraft::resume() {
-  steering.resume();
-  return *this;
-}
-
-Aircraft& Aircraft::returnHome() {
-  steering.returnHome();
-  return *this;
-}
-
-Aircraft& Aircraft::landNow() {
-  steering.landNow();
-  return *this;
 }
 
 std::string Aircraft::how(uint32_t limitMs) {
@@ -129,14 +87,8 @@ bool Aircraft::passUntil(uint16_t command, uint32_t limitMs) {
 }
 
 void Aircraft::beat() {
-  mavlink_heartbeat_t message = mavlink_heartbeat_t();
-  message.custom_mode = mode;
-  message.type = type;
-  message.autopilot = isPx4_ ? kPx4 : kArduPilot;
-  message.base_mode = static_cast<uint8_t>(1 | (isArmed ? 128 : 0));
-  message.system_status = state;
-  message.mavlink_version = 3;
-  tell(0, message, 50);
+  const uint8_t baseMode = isArmed ? 1 | 128 : 1;
+  hear(heartbeatParts(isPx4_ ? kPx4 : kArduPilot, baseMode, mode, type, state));
 }
 
 void Aircraft::show(uint32_t newMode) {
@@ -169,15 +121,6 @@ void Aircraft::tellLanded() {
   tell(245, message, 130);
 }
 
-void Aircraft::answer(uint16_t command, uint8_t result) {
-  mavlink_command_ack_t message = mavlink_command_ack_t();
-  message.command = command;
-  message.result = result;
-  message.target_system = 1;
-  message.target_component = 191;
-  tell(77, message, 143);
-}
-
 void Aircraft::one() {
   if (beatsBySecond && nowMs() % 1000 == 0) beat();
   if (positions_ && hasPosition && nowMs() % 500 == 20) tellPosition();
@@ -204,17 +147,13 @@ void Aircraft::react(const SentFrame& frame) {
   float param[7];
   uint16_t command;
   char text[200];
-  if (frame.messageId == 76) {
-    mavlink_command_long_t message;
-    memcpy(&message, frame.payload.data(), sizeof(message));
-    memcpy(param, &message, sizeof(param));
-    command = message.command;
+  memcpy(param, frame.payload.data(), sizeof(param));
+  if (frame.messageId == MAVLINK_MSG_ID_COMMAND_LONG) {
+    command = messageIn<mavlink_command_long_t>(frame.payload).command;
     snprintf(text, sizeof(text), "L%d %g %g %g %g %g %g %g", command, double{param[0]}, double{param[1]},
              double{param[2]}, fabs(double{param[3]}), double{param[4]}, double{param[5]}, double{param[6]});
-  } else if (frame.messageId == 75) {
-    mavlink_command_int_t message;
-    memcpy(&message, frame.payload.data(), sizeof(message));
-    memcpy(param, &message, sizeof(param));
+  } else if (frame.messageId == MAVLINK_MSG_ID_COMMAND_INT) {
+    const mavlink_command_int_t message = messageIn<mavlink_command_int_t>(frame.payload);
     command = message.command;
     snprintf(text, sizeof(text), "I%d frame %d %g %g %g %g %d %d %g", command, int{message.frame}, double{param[0]},
              double{param[1]}, double{param[2]}, fabs(double{param[3]}), int{message.x}, int{message.y},

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "AnsweringPeer.h"
+#include "PlanFrames.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 namespace steered {
@@ -57,20 +58,25 @@ class Aircraft : public AnsweringPeer {
   // In the air, in this mode, and seen disarmed before.
   Aircraft& fly(uint32_t inMode);
   Aircraft& inMission() { return fly(isPx4_ ? uint32_t{kPx4Mission} : type == 10 ? uint32_t{kRoverAuto} : kAuto); }
-  Aircraft& wait(uint32_t ms);
+  Aircraft& wait(uint32_t ms) {
+    pass(ms);
+    return *this;
+  }
   Aircraft& until(uint16_t command);  // has been sent
   Aircraft& answering(uint16_t command, int result = AnsweringPeer::kUnheard);
   Aircraft& silence(bool isSilent = true);  // no heartbeat comes
   Aircraft& atHeight(int32_t aboveHomeMm);  // it tells
   // The orders of the sketch.
-  Aircraft& takeOff(mavmission::Metres height = mavmission::Metres(20));
-  Aircraft& goTo(mavmission::Altitude altitude = mavmission::Metres(20));  // to kThere
-  Aircraft& goTo(const mavmission::LatLon& place, mavmission::Altitude altitude);
-  Aircraft& setSpeed(float metresPerSecond);
-  Aircraft& pause();
-  Aircraft& resume();
-  Aircraft& returnHome();
-  Aircraft& landNow();
+  Aircraft& takeOff(mavmission::Metres height = mavmission::Metres(20)) { return having(steering.takeOff(height)); }
+  Aircraft& goTo(mavmission::Altitude altitude = mavmission::Metres(20)) { return goTo(kThere, altitude); }
+  Aircraft& goTo(const mavmission::LatLon& place, mavmission::Altitude altitude) {
+    return having(steering.goTo(place, altitude));
+  }
+  Aircraft& setSpeed(float speed) { return having(steering.setSpeed(mavmission::MetresPerSecond(speed))); }
+  Aircraft& pause() { return having(steering.pause()); }
+  Aircraft& resume() { return having(steering.resume()); }
+  Aircraft& returnHome() { return having(steering.returnHome()); }
+  Aircraft& landNow() { return having(steering.landNow()); }
   // How the order ends, in which step, and what was sent.
   std::string how(uint32_t limitMs = 60000);
   // The same in a line that is no more than its status.
@@ -94,7 +100,7 @@ class Aircraft : public AnsweringPeer {
   void tellPosition();
   void tellTarget(int32_t latitude, int32_t longitude, float altitude);
   void tellLanded();
-  void answer(uint16_t command, uint8_t result);
+  void answer(uint16_t command, uint8_t result) { hear(commandAckParts(command, result)); }
   template <typename Message>
   void tell(uint16_t id, const Message& message, uint8_t crcExtra) {
     hear(FrameParts(id, message, crcExtra));
@@ -108,6 +114,8 @@ class Aircraft : public AnsweringPeer {
     uint8_t result;
   };
 
+  // The same aircraft, with an order begun.
+  Aircraft& having(mavmission::Status) { return *this; }
   void one() override;
   void in(uint32_t ms, What what, uint16_t command = 0, uint8_t result = 0);
 

@@ -128,7 +128,8 @@ def test_new_listener_is_two_files_and_a_line(tmp_path):
     program = tmp_path / "program"
     (tmp_path / "listening.cpp").write_text(LISTENING)
     # (No source of the library includes MavMission.h.)
-    shared = [HOST / "Frames.cpp", HOST / "ClientOnLine.cpp", SHIM / "Arduino.cpp"]
+    names = ("ClientOnLine.cpp", "Frames.cpp", "PlanFrames.cpp")
+    shared = [*(HOST / name for name in names), SHIM / "Arduino.cpp"]
     others = build_objects([*shared, *library_sources()], "g++", FAST)
     sources = [tmp_path / "listening.cpp", library / "mavmission" / "telemetry" / "AltitudeListener.cpp"]
     command = ["g++", *WORDS, f"-I{library}", f"-I{SHIM}", f"-I{HOST}"]

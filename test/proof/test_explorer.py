@@ -26,10 +26,10 @@ if __name__ == "__main__":
 
 import pytest
 
-from mutating.programs import in_pieces
+from mutating.programs import sources_of
 from planted import with_defect
 from simulation.firmware import ROOT, library_sources
-from simulation.host_build import FAST, HOST, build_host
+from simulation.host_build import FAST, build_host
 from simulation.together import together
 
 EXPLORER = ROOT / "test" / "explorer"
@@ -50,11 +50,12 @@ COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "
 @functools.cache
 def build_explorer(library: tuple[Path, ...] | None = None, generic: int = 0) -> Path:
     """`generic`: which firmware the library is told that a generic autopilot has."""
-    sources = [*in_pieces(sorted(EXPLORER.glob("*.cpp"))), HOST / "Frames.cpp", HOST / "ClientOnLine.cpp"]
     defines = {"MAVMISSION_GENERIC_FIRMWARE": generic} if generic else {}
     if generic:  # nothing else is compiled so
         library = tuple(together(library or library_sources()))
-    return build_host("explorer", sources, "g++", FAST, own_flags=OWN_FLAGS, defines=defines, library=library)
+    return build_host(
+        "explorer", sources_of(EXPLORER), "g++", FAST, own_flags=OWN_FLAGS, defines=defines, library=library
+    )
 
 
 @functools.cache

@@ -29,10 +29,10 @@ if __name__ == "__main__":
 
 import pytest
 
-from mutating.programs import in_pieces
+from mutating.programs import sources_of
 from planted import with_defect
 from simulation.firmware import ROOT
-from simulation.host_build import FAST, HOST, build_host
+from simulation.host_build import FAST, build_host
 
 FLIGHTS = ROOT / "test" / "flights"
 AUTOPILOTS = ("Copter", "Rover", "PX4")
@@ -45,8 +45,7 @@ TWO_HEARTBEATS_MS = 2000
 
 @functools.cache
 def build_flights(library: tuple[Path, ...] | None = None) -> Path:
-    sources = [*in_pieces(sorted(FLIGHTS.glob("*.cpp"))), HOST / "Frames.cpp"]
-    return build_host("flights", sources, "g++", FAST, library=library)
+    return build_host("flights", sources_of(FLIGHTS), "g++", FAST, library=library)
 
 
 @functools.cache

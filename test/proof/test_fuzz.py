@@ -38,7 +38,7 @@ TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), CL
 
 def build_target(target: str) -> Path:
     others, library, *_ = TARGETS[target]
-    sources = [FUZZ / f"{target}.cpp", *(FUZZ / name for name in others), HOST / "Frames.cpp"]
+    sources = [FUZZ / f"{target}.cpp", *(FUZZ / name for name in others), HOST / "Frames.cpp", HOST / "PlanFrames.cpp"]
     parts = together(library)
     return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=parts, link=["-fsanitize=fuzzer"])
 

@@ -12,13 +12,14 @@
 #include "../explorer/Plans.h"
 #include "Client.h"
 
+using mavmission::Aboard;
+
 namespace {
 
 constexpr uint32_t kStepUs = 250;  // how often a client runs
 constexpr uint32_t kMs = 1000;     // [us]
 constexpr uint32_t kHeartbeatMs = 1000;
 constexpr uint32_t kGivesUpMs = 600000;  // an upload that has not ended then never will
-constexpr size_t kRing = 63;             // bytes that a serial port of the client's holds, each way
 constexpr unsigned kBaud = 57600;
 // From a message to the answer, without the line: seen.
 constexpr uint32_t kArduPilotUs = 6000, kPx4Us = 500;
@@ -112,28 +113,14 @@ class Way {
   std::deque<Piece> pieces_;
 };
 
-// A frame as this sender sends it now: with its running number, and without the zeros at the end of its payload.
-Bytes numbered(const Bytes& frame, uint8_t sequence) {
-  Bytes bytes(frame.begin(), frame.end() - 2);
-  while (bytes.size() > 11 && bytes.back() == 0) bytes.pop_back();
-  bytes[1] = static_cast<uint8_t>(bytes.size() - 10);
-  bytes[4] = sequence;
-  const uint32_t id = static_cast<uint32_t>(bytes[7] | bytes[8] << 8 | bytes[9] << 16);
-  uint16_t crc = X25_INIT_CRC;
-  for (size_t i = 1; i < bytes.size(); ++i) crc_accumulate(bytes[i], &crc);
-  crc_accumulate(mavlink_get_msg_entry(id)->crc_extra, &crc);
-  bytes.push_back(static_cast<uint8_t>(crc));
-  bytes.push_back(static_cast<uint8_t>(crc >> 8));
-  return bytes;
-}
-
 uint32_t idOf(const Bytes& frame) { return static_cast<uint32_t>(frame[7] | frame[8] << 8 | frame[9] << 16); }
 
 class Upload {
  public:
-  Upload(Firmwares firmware, std::unique_ptr<Client> client, bool byBytes, unsigned percent, unsigned seed,
-         unsigned baud, unsigned loopMs, unsigned telemetryPerSecond, unsigned latencyMs)
-      : client_(std::move(client)),
+  Upload(Firmwares firmware, Proven proven, bool byBytes, unsigned percent, unsigned seed, unsigned baud,
+         unsigned loopMs, unsigned telemetryPerSecond, unsigned latencyMs, uint16_t items)
+      : items_(items),
+        client_(firmware, proven, items),
         losses_(percent, seed),
         byBytes_(byBytes),
         heartbeatMs_(seed * 37 % kHeartbeatMs),
@@ -143,21 +130,19 @@ class Upload {
         hearing_(firmware == Firmwares::Px4 ? HeardBy::Px4 : HeardBy::ArduPilot),
         up_(baud, latencyMs),
         down_(baud, latencyMs) {
-    memset(static_cast<void*>(&autopilot_), 0, sizeof(autopilot_));
-    autopilot_.firmware = firmware;
-    autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
-    autopilot_.hold(kOldPlan, itemsOfPlan);
+    autopilot_.begin(firmware, kMission);
+    autopilot_.hold(kOldPlan, items);
     before_ = autopilot_;
   }
 
   void run() {
-    while (!client_->hasEnded() && nowUs_ / kMs < kGivesUpMs) step();
+    while (!client_.hasEnded() && nowUs_ / kMs < kGivesUpMs) step();
   }
 
   void print(unsigned seed) const {
-    const std::string status = client_->hasEnded() ? client_->status() : "never";
-    printf("%u %s %d %s %d %u %u %u %u %u %u %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
-           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, unasked_, zeros_, repeated_, telemetry_,
+    const std::string status = client_.hasEnded() ? client_.status() : "never";
+    printf("%u %s %d %s %d %u %u %u %u %u %u %u\n", seed, status.c_str(), isAboard(), nameOf(client_.aboard()),
+           isTrue(client_.aboard()), (nowUs_ - countedUs_) / kMs, sent_, unasked_, zeros_, repeated_, telemetry_,
            leftOut_);
   }
 
@@ -184,20 +169,20 @@ class Upload {
       say(answers_.front().second, nowUs_);
       answers_.pop_front();
     }
-    while (down_.take(nowUs_, bytes)) client_->hear(bytes, nowUs_ / kMs);
+    while (down_.take(nowUs_, bytes)) client_.hear(bytes);
     if (nowUs_ % loopUs_ != 0) return;
     const size_t waiting = up_.waiting(nowUs_);
-    take(client_->run(nowUs_ / kMs, waiting < kRing ? kRing - waiting : 0));
+    take(client_.run(nowUs_ / kMs, waiting < kRing ? kRing - waiting : 0));
   }
 
   // What the autopilot's parser has found.
   void hear() {
-    uint8_t frame[MAVLINK_MAX_PACKET_LEN];
-    const uint16_t length = hearing_.bytesOf(frame);
+    uint8_t bytes[MAVLINK_MAX_PACKET_LEN];
+    const Bytes frame(bytes, bytes + hearing_.bytesOf(bytes));
     Message message;
     // (Damage that the checksum does not find is as good as none: it is another message than those that we know.)
     if (hearing_.heard().msgid == MAVLINK_MSG_ID_HEARTBEAT) return;
-    const char* const wrong = decode(frame, length, autopilot_.firmware, message);
+    const char* const wrong = decode(frame, autopilot_.firmware, message);
     if (wrong != nullptr) {
       if (byBytes_) return;
       fprintf(stderr, "%s\n", wrong);
@@ -214,26 +199,27 @@ class Upload {
 
   void say(const Message& message, uint32_t nowUs) {
     if (message.kind == Kind::Request) ++requests_[message.number];
-    put(frameOf(message, autopilot_.firmware), message.kind == Kind::Heartbeat ? kUnasked : kFromAutopilot, nowUs);
+    put(partsOf(message, autopilot_.firmware), message.kind == Kind::Heartbeat ? kUnasked : kFromAutopilot, nowUs);
   }
 
-  // Something goes out of the autopilot.
-  void put(const Bytes& frame, Channel channel, uint32_t nowUs) {
-    const Bytes bytes = numbered(frame, sequence_++);
+  // Something goes out of the autopilot: with its running number, and without the zeros at the end of its payload.
+  void put(FrameParts parts, Channel channel, uint32_t nowUs) {
+    while (parts.payload.size() > 1 && parts.payload.back() == 0) parts.payload.pop_back();
+    parts.sequence = sequence_++;
+    const Bytes bytes = packed(parts);
     const bool isLost = !byBytes_ && losses_.isNextLost(channel);
     down_.put(isLost ? Bytes() : byBytes_ ? damaged(bytes, kBytesDown) : bytes, bytes.size(), nowUs);
   }
 
   void sendTelemetry() {
     if (telemetryPerSecond_ == 0 || nowUs_ < telemetryUs_) return;
-    static const Bytes frame = telemetry();
-    telemetryUs_ += static_cast<uint32_t>(1000000 * frame.size() / telemetryPerSecond_);
+    telemetryUs_ += static_cast<uint32_t>(1000000 * telemetry().size() / telemetryPerSecond_);
     ++telemetry_;
     if (down_.waiting(nowUs_) > kTransmitBuffer) {
       ++leftOut_;  // it has no room for this one
       return;
     }
-    put(frame, kUnasked, nowUs_);
+    put(frameAt(telemetry()).parts, kUnasked, nowUs_);
   }
 
   Bytes damaged(const Bytes& bytes, Channel channel) {
@@ -254,7 +240,7 @@ class Upload {
     const uint32_t id = idOf(begun_);
     if (id == MAVLINK_MSG_ID_HEARTBEAT) return;
     Message sent = message(Kind::Ack);
-    if (decode(begun_.data(), begun_.size(), autopilot_.firmware, sent) != nullptr) return;
+    if (decode(begun_, autopilot_.firmware, sent) != nullptr) return;
     const int often = ++sentOften_[std::make_pair(id, sent.number)];
     if (often > 1) repeated_ += static_cast<unsigned>(begun_.size());
     if (sent.kind == Kind::Item && often > requests_[sent.number]) ++unasked_;
@@ -280,28 +266,28 @@ class Upload {
     }
   }
 
-  bool isAboard() const {
-    const std::vector<uint8_t> meant = wireItems(autopilot_.firmware);
-    return autopilot_.heldCount == meant.size() && memcmp(autopilot_.held, meant.data(), meant.size()) == 0;
-  }
+  bool isAboard() const { return autopilot_.holds(kPlan, items_); }
 
   // Our items as far as they came, the older ones behind them. (Both plans are of the same length.)
   bool isMixture() const {
-    const std::vector<uint8_t> meant = wireItems(autopilot_.firmware);
-    if (autopilot_.heldCount != meant.size()) return false;
-    size_t taken = 0;
-    while (taken < meant.size() && autopilot_.held[taken] == meant[taken]) ++taken;
-    return memcmp(autopilot_.held + taken, before_.held + taken, meant.size() - taken) == 0;
+    if (autopilot_.heldCount != before_.heldCount) return false;
+    uint16_t taken = 0;
+    const auto meant = [&] { return wireItem(kPlan, taken, autopilot_.firmware, kMission); };
+    while (taken < before_.heldCount && autopilot_.held[taken] == meant()) ++taken;
+    return memcmp(autopilot_.held + taken, before_.held + taken, before_.heldCount - taken) == 0;
   }
 
-  bool isTrue(const std::string& aboard) const {
-    if (aboard == "OurPlan") return isAboard();
-    if (aboard == "AsBefore") return memcmp(autopilot_.held, before_.held, sizeof(before_.held)) == 0;
-    if (aboard == "Mixture") return isMixture();
-    return aboard == "NotKnown";
+  bool isTrue(Aboard aboard) const {
+    switch (aboard) {
+      case Aboard::OurPlan: return isAboard();
+      case Aboard::AsBefore: return autopilot_.holdsAs(before_);
+      case Aboard::Mixture: return isMixture();
+      default: return aboard == Aboard::NotKnown;
+    }
   }
 
-  const std::unique_ptr<Client> client_;
+  const uint16_t items_;
+  Client client_;
   Losses losses_;
   const bool byBytes_;
   const uint32_t heartbeatMs_;
@@ -324,53 +310,36 @@ class Upload {
   std::map<std::pair<uint32_t, uint16_t>, int> sentOften_;  // by message, and item if it is one
 };
 
-std::unique_ptr<Client> makeClient(const char* name, Firmwares firmware) {
-  if (strcmp(name, "upload") == 0) return makeMissionClient(firmware, Proven::InDoubt);
-  if (strcmp(name, "upload-by-answer") == 0) return makeMissionClient(firmware, Proven::ByAnswer);
-  if (strcmp(name, "upload-verified") == 0) return makeMissionClient(firmware, Proven::Always);
-  usage("no such client");
+// Which of these names it is.
+template <size_t N>
+unsigned among(const char* const (&names)[N], const char* name, const char* problem) {
+  for (unsigned i = 0; i < N; ++i) {
+    if (strcmp(names[i], name) == 0) return i;
+  }
+  usage(problem);
 }
 
-Firmwares firmwareNamed(const char* name) {
-  if (strcmp(name, "ArduPilot") == 0) return Firmwares::ArduPilot;
-  if (strcmp(name, "LateArduPilot") == 0) return Firmwares::LateArduPilot;
-  if (strcmp(name, "PX4") == 0) return Firmwares::Px4;
-  if (strcmp(name, "MAVSDK") == 0) return Firmwares::Mavsdk;
-  if (strcmp(name, "Betaflight") == 0) return Firmwares::Betaflight;
-  if (strcmp(name, "iNav") == 0) return Firmwares::Inav;
-  usage("no such autopilot");
-}
-
-bool isByBytes(const char* lost) {
-  if (strcmp(lost, "bytes") != 0 && strcmp(lost, "frames") != 0) usage("frames or bytes are lost");
-  return strcmp(lost, "bytes") == 0;
-}
+const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight", "iNav"};
+const char* const kProven[] = {"upload", "upload-by-answer", "upload-verified"};
+const char* const kLost[] = {"frames", "bytes"};
 
 }  // namespace
 
-uint16_t itemsOfPlan = 5;
-
-std::vector<uint8_t> wireItems(Firmwares firmware) {
-  std::vector<uint8_t> items;
-  if (isArduPilot(firmware)) items.push_back(kHome);
-  for (uint16_t i = 0; i < itemsOfPlan; ++i) items.push_back(itemOf(kPlan, i));
-  return items;
-}
-
 int main(int argc, char** argv) {
   if (argc < 6 || argc > 11) usage("five to ten arguments are wanted");
-  const Firmwares firmware = firmwareNamed(argv[1]);
-  const bool byBytes = isByBytes(argv[3]);
+  const Firmwares firmware = static_cast<Firmwares>(among(kFirmwares, argv[1], "no such autopilot"));
+  const Proven proven = static_cast<Proven>(among(kProven, argv[2], "no such client"));
+  const bool byBytes = among(kLost, argv[3], "frames or bytes are lost") != 0;
   const unsigned percent = number(argv[4], 100);
   const unsigned seeds = number(argv[5], 1000000);
   const unsigned baud = argc > 6 ? number(argv[6], 10000000) : kBaud;
   const unsigned loopMs = argc > 7 ? number(argv[7], 10000) : 0;
   const unsigned telemetry = argc > 8 ? number(argv[8], 1000000) : firmware == Firmwares::Px4 ? kPx4Telemetry : 0;
   const unsigned latencyMs = argc > 9 ? number(argv[9], 10000) : 0;
-  if (argc > 10) itemsOfPlan = static_cast<uint16_t>(number(argv[10], kMostItems));
+  const uint16_t items = static_cast<uint16_t>(argc > 10 ? number(argv[10], kMostItems) : 5);
   if (baud == 0) usage("a number is missing or too large");
   for (unsigned seed = 0; seed < seeds; ++seed) {
-    Upload upload(firmware, makeClient(argv[2], firmware), byBytes, percent, seed, baud, loopMs, telemetry, latencyMs);
+    Upload upload(firmware, proven, byBytes, percent, seed, baud, loopMs, telemetry, latencyMs, items);
     upload.run();
     upload.print(seed);
   }

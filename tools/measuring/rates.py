@@ -74,7 +74,8 @@ class Upload:
 
 @functools.cache
 def build_rates(library: tuple[Path, ...] | None = None) -> Path:
-    sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp", HEARING]
+    shared = [HOST / name for name in ("Frames.cpp", "Names.cpp", "PlanFrames.cpp")]
+    sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), *shared, HEARING]
     return build_host("rates", sources, "g++", FAST, own_flags=OWN_FLAGS, library=library)
 
 

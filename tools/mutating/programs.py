@@ -163,6 +163,12 @@ def in_pieces(sources: Sequence[Path]) -> list[Path]:
     return [as_one(sources[at::4]) for at in range(4)]
 
 
+def sources_of(folder: Path) -> list[Path]:
+    """The explorer or the flights, with what they share with the units."""
+    shared = ("ClientOnLine.cpp", "Frames.cpp", "PlanFrames.cpp")
+    return [*in_pieces(sorted(folder.glob("*.cpp"))), *(HOST / name for name in shared)]
+
+
 def is_taken_where_needed(source: Path) -> bool:
     return LIBRARY in source.parents or source.parent == HOST
 
@@ -208,11 +214,9 @@ def unit_program(unit: Path, *, sanitized: bool) -> Program:
 def explorer(explored: tuple[str, ...]) -> Program:
     own = ("-std=c++17", "-fno-access-control")
     runs = tuple(f"{words} --most-states {MOST_STATES}" for words in explored)
-    sources = (*in_pieces(sorted(EXPLORER.glob("*.cpp"))), HOST / "Frames.cpp", HOST / "ClientOnLine.cpp")
-    return Program("explorer", "explorer", sources, tuple(FAST), own, runs)
+    return Program("explorer", "explorer", tuple(sources_of(EXPLORER)), tuple(FAST), own, runs)
 
 
 @functools.cache
 def flights(flown: tuple[str, ...]) -> Program:
-    sources = (*in_pieces(sorted(FLIGHTS.glob("*.cpp"))), HOST / "Frames.cpp")
-    return Program("flights", "flights", sources, tuple(FAST), (), flown)
+    return Program("flights", "flights", tuple(sources_of(FLIGHTS)), tuple(FAST), (), flown)
