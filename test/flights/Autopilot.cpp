@@ -9,6 +9,12 @@ constexpr uint32_t kBeatMs = 1000, kMoveMs = 100;
 constexpr int32_t kClimbCm = 20, kSinkCm = 20;  // in each kMoveMs
 constexpr uint32_t kDisarmMs = 2000;            // it disarms so long after it has landed
 
+bool canTell(uint32_t id) {
+  return id == MAVLINK_MSG_ID_HEARTBEAT || id == MAVLINK_MSG_ID_MISSION_CURRENT ||
+         id == MAVLINK_MSG_ID_GLOBAL_POSITION_INT || id == MAVLINK_MSG_ID_EXTENDED_SYS_STATE ||
+         id == MAVLINK_MSG_ID_HOME_POSITION;
+}
+
 }  // namespace
 
 Autopilot::Autopilot(Kind which, uint8_t system, Witness& witness, uint32_t firstBeatMs)
@@ -101,14 +107,16 @@ void Autopilot::hearCommand(const mavlink_command_long_t& given, bool isInt, uin
   uint8_t result;
   switch (given.command) {
     case MAV_CMD_REQUEST_MESSAGE:
-      result = canTell(id) ? static_cast<uint8_t>(MAV_RESULT_ACCEPTED) : static_cast<uint8_t>(MAV_RESULT_DENIED);
-      if (isPx4() && id == MAVLINK_MSG_ID_MISSION_CURRENT) result = MAV_RESULT_DENIED;
+      if (!canTell(id) || (isPx4() && id == MAVLINK_MSG_ID_MISSION_CURRENT)) {
+        result = MAV_RESULT_DENIED;
+        break;
+      }
+      result = MAV_RESULT_ACCEPTED;
       // PX4 sends the message before its answer, ArduPilot after it.
-      if (result == MAV_RESULT_ACCEPTED) sendFresh(id, isPx4() ? answerMs - 1 : answerMs + 1);
+      sendFresh(id, isPx4() ? answerMs - 1 : answerMs + 1);
       break;
     case MAV_CMD_SET_MESSAGE_INTERVAL:
-      result = isPx4() && id == MAVLINK_MSG_ID_MISSION_CURRENT ? static_cast<uint8_t>(MAV_RESULT_FAILED)
-                                                               : static_cast<uint8_t>(MAV_RESULT_ACCEPTED);
+      result = isPx4() && id == MAVLINK_MSG_ID_MISSION_CURRENT ? MAV_RESULT_FAILED : MAV_RESULT_ACCEPTED;
       if (result == MAV_RESULT_ACCEPTED) setStream(id, static_cast<uint32_t>(given.param2) / 1000, nowMs);
       break;
     case MAV_CMD_DO_SET_MODE:
@@ -133,12 +141,6 @@ void Autopilot::send(const FrameParts& message, uint32_t atMs) {
 
 void Autopilot::setStream(uint32_t id, uint32_t everyMs, uint32_t nowMs) {
   if (streams_.count(id) == 0 || streams_[id].first != everyMs) streams_[id] = {everyMs, nowMs + everyMs};
-}
-
-bool Autopilot::canTell(uint32_t id) const {
-  return id == MAVLINK_MSG_ID_HEARTBEAT || id == MAVLINK_MSG_ID_MISSION_CURRENT ||
-         id == MAVLINK_MSG_ID_GLOBAL_POSITION_INT || id == MAVLINK_MSG_ID_EXTENDED_SYS_STATE ||
-         id == MAVLINK_MSG_ID_HOME_POSITION;
 }
 
 FrameParts Autopilot::composed(uint32_t id) const {

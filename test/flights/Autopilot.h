@@ -26,7 +26,6 @@ class Witness {
 class Autopilot {
  public:
   Autopilot(Kind kind, uint8_t systemId, Witness& witness, uint32_t firstBeatMs);
-  virtual ~Autopilot() = default;
 
   const Kind kind;
   const uint8_t systemId;  // also of the sketch that it answers
@@ -50,21 +49,26 @@ class Autopilot {
   void actorClearsPlan(uint32_t nowMs);
   bool isAirborne() const { return heightCm > 10; }
 
- protected:
-  // It returns a MAV_RESULT.
-  virtual uint8_t command(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs) = 0;
-  virtual uint8_t orderMode(uint16_t wanted, uint32_t nowMs) = 0;
-  virtual void hearTarget(uint32_t) {}
-  virtual void hearSetCurrent(uint16_t item, uint32_t nowMs) = 0;
-  virtual void modeChanged(uint32_t) {}
-  virtual void disarmed() {}
-  virtual uint8_t state() const = 0;  // MAV_STATE
-  virtual uint32_t customMode() const = 0;
-  virtual FrameParts itemToRead(uint16_t item) const = 0;
-  virtual uint32_t planId() const { return 0; }
-  virtual int32_t heightGoal() const = 0;  // [cm]; its own height if it is to stay there
-  virtual void atHeight(uint32_t) {}       // called when it has climbed or sunk to its goal
-  virtual void beat(uint32_t) {}           // called ten times a second
+ private:
+  // Each returns a MAV_RESULT.
+  uint8_t command(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs);
+  uint8_t arm(bool arms);
+  uint8_t orderMode(uint16_t wanted, uint32_t nowMs);
+  uint8_t startMission(float first, uint32_t nowMs);
+  uint8_t takeOff(float height, uint32_t nowMs);
+  uint8_t refusal() const { return isPx4() ? MAV_RESULT_TEMPORARILY_REJECTED : MAV_RESULT_FAILED; }
+
+  void hearTarget(uint32_t nowMs);
+  void hearSetCurrent(uint16_t item, uint32_t nowMs);
+  void modeChanged(uint32_t nowMs);
+  void disarmed();
+  uint8_t state() const;  // MAV_STATE
+  uint32_t customMode() const;
+  FrameParts itemToRead(uint16_t item) const;
+  uint32_t planId() const;
+  int32_t heightGoal() const;     // [cm]; its own height if it is to stay there
+  void atHeight(uint32_t nowMs);  // called when it has climbed or sunk to its goal
+  void beat(uint32_t nowMs);      // called ten times a second
 
   bool is(Means means) const { return mode == modeOf(kind, means); }
   bool isPx4() const { return kind == Kind::Px4; }
@@ -72,19 +76,10 @@ class Autopilot {
   void setArmed(bool isArmed);
   void send(const FrameParts& message, uint32_t atMs);
   // Sends a message that is filled in at the moment at which it leaves.
-  void sendFresh(uint32_t id, uint32_t atMs) { send(FrameParts{id, Bytes()}, atMs); }
-  void requestMessage(uint32_t id, uint32_t atMs) { sendFresh(id, atMs); }
-  bool canTell(uint32_t id) const;
+  void sendFresh(uint32_t id, uint32_t atMs) { send(FrameParts(id, Bytes()), atMs); }
   void setStream(uint32_t id, uint32_t everyMs, uint32_t nowMs);
   uint16_t firstItem() const { return isPx4() ? 0 : 1; }
 
-  uint16_t current_ = 0;
-  bool isInFailsafe_ = false;
-  bool mayClimb_ = false;  // the mission mode has been begun
-  int32_t goalCm_ = -1;    // the height of a takeoff; -1: there is none
-  By by_ = By::Itself;
-
- private:
   struct Sending {
     uint32_t atMs;
     FrameParts message;
@@ -97,6 +92,13 @@ class Autopilot {
   void acknowledge(uint8_t result, uint32_t nowMs);
   void take(const std::vector<Bytes>& items, bool isOurs);
 
+  uint16_t current_ = 0;
+  bool isInFailsafe_ = false;
+  bool mayClimb_ = false;  // the mission mode has been begun
+  int32_t goalCm_ = -1;    // the height of a takeoff; -1: there is none
+  By by_ = By::Itself;
+  uint32_t streamedMs_ = 0;     // PX4: when the last target came
+  bool hasLostStream_ = false;  // and that none comes any more
   Witness& witness_;
   std::vector<Sending> sending_;
   std::vector<FrameParts> sent_;

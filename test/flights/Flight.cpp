@@ -17,16 +17,11 @@ constexpr uint32_t kNever = 0xFFFFFFFF;
 // An aircraft, and who judges what the sketch does to it.
 struct Vehicle {
   Vehicle(Kind kind, uint8_t systemId, std::string* log, uint32_t beatMs)
-      : referee(kind, log, systemId == 1 ? "" : "(2) ") {
-    if (kind == Kind::Px4) {
-      model.reset(new Px4(kind, systemId, referee, beatMs));
-    } else {
-      model.reset(new ArduPilot(kind, systemId, referee, beatMs));
-    }
-    model->pass(kBeginMs);
+      : referee(kind, log, systemId == 1 ? "" : "(2) "), model(kind, systemId, referee, beatMs) {
+    model.pass(kBeginMs);
   }
   Referee referee;
-  std::unique_ptr<Autopilot> model;
+  Autopilot model;
   uint32_t silentUntilMs = 0;
   uint8_t sequence = 0;
 };
@@ -54,7 +49,7 @@ class Flying {
     vehicles_.emplace_back(new Vehicle(plan.kind, 1, log, beatMs));
     if (plan.second != 0) {
       vehicles_.emplace_back(new Vehicle(static_cast<Kind>((plan.second - 1) % 3), 2, log, beatMs + 371));
-      if (plan.second > 3) vehicles_[1]->model->putInAir(nowMs_);
+      if (plan.second > 3) vehicles_[1]->model.putInAir(nowMs_);
       vehicles_[1]->silentUntilMs = kNever;
     }
     own().referee.isNamed();
@@ -68,7 +63,7 @@ class Flying {
     if (!does(Task::Upload, 20000, Status::Accepted)) return broken("the upload does not end well");
     run(1200);
     if (isInAir(plan_.task)) {
-      own().model->putInAir(nowMs_);
+      own().model.putInAir(nowMs_);
       run(1100);
       if (plan_.isInOwnMode && !does(Task::SetMode, 3000, Status::Done)) return broken("it cannot be prepared");
     }
@@ -97,7 +92,7 @@ class Flying {
     down_.setLoss(0);
     while (!acts_.empty() || nowMs_ < std::max(stallUntilMs_, own().silentUntilMs)) run(100);
     run(kRestMs);
-    own().referee.rests(sketch_, *own().model);
+    own().referee.rests(sketch_, own().model);
     broken("");
     if (flown_.broken.empty()) askAgain();
     flown_.broken = own().referee.broken();
@@ -118,8 +113,8 @@ class Flying {
       run(below(3) * below(2000));
       if (below(6) == 0) named(1 - own_);
       if (below(4) == 0) takesAgain();
-      if (below(4) == 0 && own().model->plan.size() == kItems && !own().model->isArmed) {
-        own().model->putInAir(nowMs_);
+      if (below(4) == 0 && own().model.plan.size() == kItems && !own().model.isArmed) {
+        own().model.putInAir(nowMs_);
         run(1500);
       }
       isToBegin_ = below(2) != 0;
@@ -146,7 +141,7 @@ class Flying {
     own().silentUntilMs = nowMs_;
     while (nowMs_ < stallUntilMs_) step(stallUntilMs_);
     run(10000 + kRestMs);  // the line may be cut
-    own().referee.restsAfterMany(sketch_, *own().model);
+    own().referee.restsAfterMany(sketch_, own().model);
     return broken("");
   }
 
@@ -183,7 +178,7 @@ class Flying {
   }
 
   void begin(Task task) {
-    own().referee.begins(task, plan_.loss, isDisturbed_, *own().model);
+    own().referee.begins(task, plan_.loss, isDisturbed_, own().model);
     sketch_.begin(task);
     sketch_.loop(nowMs_);  // update() follows it in the same loop()
     send();
@@ -196,7 +191,7 @@ class Flying {
 
   // Whoever has taken the aircraft keeps it, also when it has landed and was disarmed, until the sketch asks for it.
   void askAgain() {
-    own().model->actorDisarms(nowMs_);
+    own().model.actorDisarms(nowMs_);
     run(1500);
     const Status who = sketch_.client.takenBy();
     begin(Task::Arm);
@@ -218,7 +213,7 @@ class Flying {
   void named(uint8_t which) {
     own().referee.isLeft();
     own_ = which;
-    sketch_.name(own().model->systemId, own().model->kind);
+    sketch_.name(own().model.systemId, own().model.kind);
     cutter_ = FrameCutter();  // a frame for the other one is cut
     own().referee.isNamed();
   }
@@ -230,11 +225,11 @@ class Flying {
 
   // Most tasks are those that an aircraft in the air, or on the ground, can do.
   Task drawnTask() {
-    if (below(3) == 0 && own().model->plan.empty()) return Task::Upload;
+    if (below(3) == 0 && own().model.plan.empty()) return Task::Upload;
     Task task = Task::Start;
     for (int draws = 0; draws < 3; ++draws) {
       task = static_cast<Task>(below(kTasks));
-      if (isInAir(task) == own().model->isArmed) break;
+      if (isInAir(task) == own().model.isArmed) break;
     }
     return task;
   }
@@ -273,7 +268,7 @@ class Flying {
   }
 
   void act(const Act& act) {
-    Autopilot& model = *vehicles_[act.what < What::Cut && act.amount < vehicles_.size() ? act.amount : 0]->model;
+    Autopilot& model = vehicles_[act.what < What::Cut && act.amount < vehicles_.size() ? act.amount : 0]->model;
     const Kind kind = model.kind;
     switch (act.what) {
       case What::Pilot: return model.actorSetsMode(modeOf(kind, Means::Pilot), false, nowMs_);
@@ -309,7 +304,7 @@ class Flying {
   bool step(uint32_t untilMs) {
     uint32_t next = std::min(nowMs_ < stallUntilMs_ ? stallUntilMs_ : nowMs_ + kStepMs, untilMs);
     next = std::min({next, up_.nextMs(), down_.nextMs()});
-    for (const auto& vehicle : vehicles_) next = std::min(next, vehicle->model->nextMs());
+    for (const auto& vehicle : vehicles_) next = std::min(next, vehicle->model.nextMs());
     for (const Heard& stranger : heard_) next = std::min(next, stranger.nextMs);
     if (!acts_.empty())
       next = std::min(next, static_cast<uint32_t>(static_cast<int32_t>(beganMs_) + acts_.front().atMs));
@@ -324,7 +319,7 @@ class Flying {
       const Due due = up_.take();
       note();
       Vehicle* const to = vehicleOf(targetOf(due.message));
-      if (due.isWhole && to != nullptr && to->silentUntilMs <= nowMs_) to->model->hear(due.message, nowMs_);
+      if (due.isWhole && to != nullptr && to->silentUntilMs <= nowMs_) to->model.hear(due.message, nowMs_);
     }
     for (uint8_t i = 0; i < vehicles_.size(); ++i) speak(i);
     for (Heard& stranger : heard_) speak(stranger);
@@ -341,18 +336,18 @@ class Flying {
     sketch_.line.room = kTransmitBuffer - up_.waiting(nowMs_);
     const bool hasEnded = sketch_.loop(nowMs_);
     send();
-    if (hasEnded && isNoting_) own().referee.ends(sketch_.status(), sketch_, *own().model);
+    if (hasEnded && isNoting_) own().referee.ends(sketch_.status(), sketch_, own().model);
     return hasEnded;
   }
 
   void speak(uint8_t which) {
     Vehicle& vehicle = *vehicles_[which];
-    vehicle.model->pass(nowMs_);
-    for (FrameParts& message : vehicle.model->takeSent()) {
+    vehicle.model.pass(nowMs_);
+    for (FrameParts& message : vehicle.model.takeSent()) {
       if (vehicle.silentUntilMs > nowMs_) continue;
       note();
       message.sequence = vehicle.sequence++;
-      message.systemId = vehicle.model->systemId;
+      message.systemId = vehicle.model.systemId;
       down_.send(message, which, packed(message), true, nowMs_);
     }
   }

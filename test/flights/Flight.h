@@ -6,9 +6,7 @@
 #include <random>
 
 #include "Actor.h"
-#include "ArduPilot.h"
 #include "Line.h"
-#include "Px4.h"
 #include "Referee.h"
 
 struct FlightPlan {
