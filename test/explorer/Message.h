@@ -10,6 +10,7 @@
 
 // Mavsdk, Betaflight and Inav say that they are generic: see Generic.cpp.
 enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4, Mavsdk, Betaflight, Inav };
+constexpr const char* kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight", "iNav"};
 
 inline bool isArduPilot(Firmwares firmware) { return firmware <= Firmwares::LateArduPilot; }
 inline bool isGeneric(Firmwares firmware) { return firmware >= Firmwares::Mavsdk; }

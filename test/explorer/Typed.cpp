@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <deque>
-#include <random>
 
 #include "ClientOnLine.h"
 #include "PlanFrames.h"
 #include "Plans.h"
+#include "Random.h"
 #include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/console/PlanConsole.h"
 
@@ -29,16 +29,6 @@ const char kStored[] = "stored: list prints it";
 const char kErased[] = "erased";
 
 typedef std::vector<uint8_t> Plan;  // the numbers of its items in Plans.h, without home
-
-class Random {
- public:
-  explicit Random(uint32_t seed) : random_(seed) {}
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
-  bool oneIn(uint32_t n) { return below(n) == 0; }
-
- private:
-  std::mt19937 random_;
-};
 
 // The line of a .waypoints file.
 std::string lineOf(uint8_t item, size_t number) {

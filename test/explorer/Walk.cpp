@@ -2,8 +2,7 @@
 
 #include <string.h>
 
-#include <random>
-
+#include "Random.h"
 #include "mavmission/base/Status.h"
 
 namespace {
@@ -57,9 +56,9 @@ class Walker {
   }
 
  private:
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
+  uint32_t below(uint32_t n) { return random_.below(n); }
 
-  std::mt19937 random_;
+  Random random_;
   bool hasTwoLinks_;
   uint32_t suffersOf100_ = 0;
   int second_ = 0;       // by how much the second link is later, where there are two

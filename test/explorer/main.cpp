@@ -3,6 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <map>
+#include <string>
+
+#include "Arguments.h"
 #include "Exploration.h"
 #include "Plans.h"
 #include "Typed.h"
@@ -12,9 +16,23 @@ namespace {
 
 const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure",     "download",
                                    "verify", "clear",           "file-upload",     "file-verify"};
-const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight", "iNav"};
 
-[[noreturn]] void usage(const char* problem) {
+int report(const Findings& findings, bool showsFewest) {
+  printf("states=%llu\noperations=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
+         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.operations),
+         static_cast<unsigned long long>(findings.transitions), static_cast<unsigned long long>(findings.violations),
+         findings.isWhole, findings.longestMs, findings.fewestFaults);
+  for (const auto& end : findings.ends) {
+    printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
+  }
+  if (showsFewest) printf("fewest:\n%s", findings.fewestFaultsTrace.c_str());
+  if (findings.violations != 0) printf("broken=%s\n%s", findings.broken.c_str(), findings.trace.c_str());
+  return findings.violations != 0 ? 1 : findings.isWhole ? 0 : 3;
+}
+
+}  // namespace
+
+void usage(const char* problem) {
   fprintf(
       stderr,
       "%s\n"
@@ -49,39 +67,10 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK",
   exit(2);
 }
 
-int nameAmong(const char* const* names, int count, const char* name, const char* problem) {
-  for (int i = 0; i < count; ++i) {
-    if (strcmp(names[i], name) == 0) return i;
-  }
-  usage(problem);
-}
-
-uint64_t number(const char* text, uint64_t most) {
-  char* end;
-  const uint64_t value = strtoull(text, &end, 10);
-  if (*text == 0 || *end != 0 || value > most) usage("a number is missing or too large");
-  return value;
-}
-
-int report(const Findings& findings, bool showsFewest) {
-  printf("states=%llu\noperations=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
-         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.operations),
-         static_cast<unsigned long long>(findings.transitions), static_cast<unsigned long long>(findings.violations),
-         findings.isWhole, findings.longestMs, findings.fewestFaults);
-  for (const auto& end : findings.ends) {
-    printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
-  }
-  if (showsFewest) printf("fewest:\n%s", findings.fewestFaultsTrace.c_str());
-  if (findings.violations != 0) printf("broken=%s\n%s", findings.broken.c_str(), findings.trace.c_str());
-  return findings.violations != 0 ? 1 : findings.isWhole ? 0 : 3;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   if (argc < 4) usage("arguments are missing");
   Scenario scenario;
-  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 6, argv[1], "no such autopilot"));
+  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, argv[1], "no such autopilot"));
   const bool isTyped = strcmp(argv[2], "typed") == 0;
   if (isTyped || strcmp(argv[2], "walks") == 0) {
     const bool isSeeded = argc == 6 && strcmp(argv[4], "--seed") == 0;
@@ -96,7 +85,7 @@ int main(int argc, char** argv) {
     const char* name = argv[at];
     task.type = strncmp(name, "fence-", 6) == 0 ? kFence : strncmp(name, "rally-", 6) == 0 ? kRally : kMission;
     if (task.type != kMission) name += 6;
-    task.operation = static_cast<Operation>(nameAmong(kOperations, 9, name, "no such operation"));
+    task.operation = static_cast<Operation>(nameAmong(kOperations, name, "no such operation"));
     if (task.type != kMission && isByFiles(task.operation)) usage("only a mission goes by file here");
     task.items = static_cast<uint8_t>(number(argv[at + 1], kMostItems));
     task.plan = static_cast<uint8_t>(scenario.tasks.size() + 1);
@@ -105,39 +94,33 @@ int main(int argc, char** argv) {
   if (scenario.tasks.empty() || scenario.tasks.size() > 3) usage("one to three operations");
   uint64_t mostStates = 200000000;
   bool showsFewest = false;
+  struct Option {
+    uint8_t* value;
+    uint8_t most;
+  };
+  const std::map<std::string, Option> options = {
+      {"--held", {&scenario.heldItems, kMostItems}}, {"--held-beside", {&scenario.heldBeside, kMostItems}},
+      {"--held-plan", {&scenario.heldPlan, 1}},      {"--losses", {&scenario.losses, 254}},
+      {"--faults", {&scenario.faults, 254}},         {"--copies", {&scenario.copies, 254}},
+      {"--reboots", {&scenario.reboots, 254}},       {"--cancels", {&scenario.cancels, 254}},
+      {"--resets", {&scenario.resets, 254}},         {"--others", {&scenario.others, 254}},
+      {"--refused", {&scenario.refused, kMostItems}}};
   for (; at < argc; at += 2) {
     if (at + 1 == argc) usage("a value is missing");
-    const char* const option = argv[at];
+    const std::string option = argv[at];
     const char* const value = argv[at + 1];
-    if (strcmp(option, "--held") == 0) {
-      scenario.heldItems = static_cast<uint8_t>(number(value, kMostItems));
-    } else if (strcmp(option, "--held-beside") == 0) {
-      scenario.heldBeside = static_cast<uint8_t>(number(value, kMostItems));
-    } else if (strcmp(option, "--held-plan") == 0) {
-      scenario.heldPlan = static_cast<uint8_t>(number(value, 1));
-    } else if (strcmp(option, "--losses") == 0) {
-      scenario.losses = strcmp(value, "any") == 0 ? Scenario::kAnyNumber : static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--faults") == 0) {
-      scenario.faults = static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--copies") == 0) {
-      scenario.copies = static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--reboots") == 0) {
-      scenario.reboots = static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--cancels") == 0) {
-      scenario.cancels = static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--resets") == 0) {
-      scenario.resets = static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--others") == 0) {
-      scenario.others = static_cast<uint8_t>(number(value, 254));
-    } else if (strcmp(option, "--refused") == 0) {
-      scenario.refused = static_cast<uint8_t>(number(value, kMostItems));
-    } else if (strcmp(option, "--latency") == 0) {
+    const auto known = options.find(option);
+    if (option == "--losses" && strcmp(value, "any") == 0) {
+      scenario.losses = Scenario::kAnyNumber;
+    } else if (known != options.end()) {
+      *known->second.value = static_cast<uint8_t>(number(value, known->second.most));
+    } else if (option == "--latency") {
       scenario.latencyMs = static_cast<uint16_t>(number(value, 500));
-    } else if (strcmp(option, "--lossy") == 0) {
+    } else if (option == "--lossy") {
       scenario.isLossy = number(value, 1) != 0;
-    } else if (strcmp(option, "--most-states") == 0) {
+    } else if (option == "--most-states") {
       mostStates = number(value, 4000000000u);
-    } else if (strcmp(option, "--show-fewest") == 0) {
+    } else if (option == "--show-fewest") {
       showsFewest = number(value, 1) != 0;
     } else {
       usage("no such option");

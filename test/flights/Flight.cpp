@@ -100,7 +100,7 @@ class Flying {
   }
 
   Flown play(unsigned operations, std::vector<Status>& ends) {
-    random_.seed(plan_.seed);
+    random_ = Random(plan_.seed);
     vehicles_[1]->silentUntilMs = nowMs_ + below(2) * 2500;  // heard later, it is not taken for ours
     if (vehicles_[1]->silentUntilMs == nowMs_) named(0);
     run(4000);
@@ -147,7 +147,7 @@ class Flying {
 
  private:
   Vehicle& own() { return *vehicles_[own_]; }
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
+  uint32_t below(uint32_t n) { return random_.below(n); }
 
   Flown broken(const std::string& rule) {
     const Referee& referee = own().referee;
@@ -393,7 +393,7 @@ class Flying {
   uint8_t own_ = 0;  // the vehicle that is the sketch's
   Line up_, down_;
   FrameCutter cutter_;
-  std::mt19937 random_;
+  Random random_;
   uint32_t nowMs_;
   uint32_t beganMs_ = 0;
   uint32_t stallUntilMs_ = 0, stoodMs_ = 0;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <random>
 
 #include "Actor.h"
 #include "Line.h"
+#include "Random.h"
 #include "Referee.h"
 
 struct FlightPlan {

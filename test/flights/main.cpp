@@ -4,56 +4,13 @@
 #include <string.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
+#include "Arguments.h"
 #include "Flight.h"
 
 namespace {
-
-[[noreturn]] void usage(const char* problem) {
-  fprintf(
-      stderr,
-      "%s\n"
-      "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
-      "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
-      "       flights AUTOPILOT TASK pilots COUNT [OPTION VALUE]...  one pilot or failsafe takes it, at a random "
-      "moment\n"
-      "                                                              of so many flights of each task\n"
-      "       flights AUTOPILOT TASK overtakes COUNT [OPTION VALUE]...  the same while an order is under way, and "
-      "up to\n"
-      "                                                              two others a little later, in COUNT flights\n"
-      "       flights AUTOPILOT TASK standstills COUNT [OPTION VALUE]...  somebody takes it while loop() stands still, "
-      "before\n"
-      "                                                              or within the task, in COUNT flights\n"
-      "       flights AUTOPILOT all plays COUNT [OPTION VALUE]...  20 operations at random in each of COUNT flights, "
-      "with\n"
-      "                                                              all actors and a second vehicle\n"
-      "       flights AUTOPILOT TASK one ACT@[ORDER+]MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
-      "  AUTOPILOT  Copter, Rover or PX4\n"
-      "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
-      "             setMode, verifyAndStart, all\n"
-      "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
-      "lose-down, stall,\n"
-      "             silent, stranger\n"
-      "  MS         since the task began, or since its order number ORDER has left\n"
-      "  --seed S   of the losses, and of when heartbeats come (1)\n"
-      "  --loss P   per mille of the bytes that are lost (0)\n"
-      "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
-      "  --buffer B  bytes that are received while loop() stands still (63)\n"
-      "  --second N  the second vehicle: 1 Copter, 2 Rover, 3 PX4; 4, 5, 6: the same in the air (0: none)\n"
-      "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
-      "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
-      problem);
-  exit(2);
-}
-
-template <size_t N>
-int nameAmong(const char* const (&names)[N], const std::string& name, const char* problem) {
-  for (size_t i = 0; i < N; ++i) {
-    if (name == names[i]) return static_cast<int>(i);
-  }
-  usage(problem);
-}
 
 constexpr unsigned kPlayed = 20;  // operations in a play
 constexpr int32_t kMuteMs = 500;  // a stranger's heartbeats take the line this time, at most
@@ -173,44 +130,56 @@ void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
   }
 }
 
-void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
-  const uint32_t first = plan.seed;
-  for (unsigned i = 0; i < count; ++i) {
-    plan.seed = first + i;
-    std::mt19937 random(plan.seed);
-    const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
-    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && below(2) != 0;
+bool mayBeInOwnMode(Task task) { return task != Task::Resume && isInAir(task); }
+
+// So many flights, from this seed on. `draw`: adds what happens in one of them.
+template <typename Draw>
+void flySeeds(FlightPlan plan, unsigned count, Findings& findings, Draw draw) {
+  for (; count != 0; --count, ++plan.seed) {
+    Random random(plan.seed);
+    plan.isInOwnMode = mayBeInOwnMode(plan.task) && random.below(2) != 0;
     plan.acts.clear();
-    for (uint32_t acts = 1 + below(3); acts != 0; --acts) {
-      const Kinds& kind = kSingle[below(sizeof(kSingle) / sizeof(kSingle[0]))];
-      // Most of them act about when the orders leave.
-      const uint32_t spans[] = {250, 250, 250, 1500, 9000};
-      const uint32_t span = spans[below(5)];
-      const Act act = {kind.what, static_cast<int32_t>(below(span)) - (span < 1000 ? 20 : 600), kind.amount, 0};
-      if (isOfUse(plan, kind.what)) plan.acts.push_back(act);
-    }
-    vary(plan, below(1000));
+    draw(plan, random);
     findings.note(plan);
   }
 }
 
+void flyRandom(FlightPlan from, unsigned count, Findings& findings) {
+  flySeeds(from, count, findings, [](FlightPlan& plan, Random& random) {
+    for (uint32_t acts = 1 + random.below(3); acts != 0; --acts) {
+      const Kinds& kind = kSingle[random.below(sizeof(kSingle) / sizeof(kSingle[0]))];
+      // Most of them act about when the orders leave.
+      const uint32_t spans[] = {250, 250, 250, 1500, 9000};
+      const uint32_t span = spans[random.below(5)];
+      const int32_t atMs = static_cast<int32_t>(random.below(span)) - (span < 1000 ? 20 : 600);
+      if (isOfUse(plan, kind.what)) plan.acts.push_back(Act{kind.what, atMs, kind.amount, 0});
+    }
+    vary(plan, random.below(1000));
+  });
+}
+
+constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe, What::Disarms};
+
+// How long the task takes when nothing happens.
+uint32_t undisturbedMs(FlightPlan plan) {
+  plan.loss = 0;
+  return static_cast<uint32_t>(fly(plan, nullptr).tookMs);
+}
+
 // Somebody sets a mode while the task runs, once in each flight, until that has happened in so many flights.
 void flyPilots(FlightPlan plan, unsigned count, Findings& findings) {
-  constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe};
   constexpr unsigned kMostFlights = 20;  // flown for each that counts
-  FlightPlan clean = plan;
-  clean.loss = 0;
-  const uint32_t span = static_cast<uint32_t>(fly(clean, nullptr).tookMs) * (plan.loss > 0 ? 3 : 1);
+  const uint32_t span = undisturbedMs(plan) * (plan.loss > 0 ? 3 : 1);
   const uint32_t first = plan.seed;
   const unsigned long unseenBefore = findings.unseen;
   unsigned taken = 0;
   for (unsigned i = 0; taken < count && i < kMostFlights * count; ++i) {
     plan.seed = first + i;
-    std::mt19937 random(plan.seed);
-    const What who = kWho[random() % 4];
+    Random random(plan.seed);
+    const What who = kWho[random.below(4)];
     if (!isOfUse(plan, who)) continue;
-    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && random() % 2 != 0;
-    plan.acts.assign(1, Act{who, static_cast<int32_t>(random() % (span + 1)), 0, 0});
+    plan.isInOwnMode = mayBeInOwnMode(plan.task) && random.below(2) != 0;
+    plan.acts.assign(1, Act{who, static_cast<int32_t>(random.below(span + 1)), 0, 0});
     const Flown flown = findings.note(plan);
     if (flown.hasTaken && plan.acts.front().atMs <= flown.tookMs) ++taken;
   }
@@ -218,53 +187,37 @@ void flyPilots(FlightPlan plan, unsigned count, Findings& findings) {
 }
 
 // Somebody sets a mode while an order is under way; in two flights of three one or two others follow within a second.
-void flyOvertakes(FlightPlan plan, unsigned count, Findings& findings) {
-  constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe};
-  constexpr int32_t kUnderWayMs = 14, kAgainMs = 1000;
-  const uint32_t first = plan.seed;
-  for (unsigned i = 0; i < count; ++i) {
-    plan.seed = first + i;
-    std::mt19937 random(plan.seed);
-    const auto below = [&](int32_t n) { return static_cast<int32_t>(random() % static_cast<uint32_t>(n)); };
-    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && below(2) != 0;
-    plan.acts.clear();
-    const unsigned order = 1 + static_cast<unsigned>(below(4));
-    int32_t atMs = below(kUnderWayMs);
-    for (int32_t acts = 1 + below(3); acts != 0; --acts) {
-      const What who = kWho[below(4)];
+void flyOvertakes(FlightPlan from, unsigned count, Findings& findings) {
+  flySeeds(from, count, findings, [](FlightPlan& plan, Random& random) {
+    constexpr uint32_t kUnderWayMs = 14, kAgainMs = 1000;
+    const unsigned order = 1 + random.below(4);
+    uint32_t atMs = random.below(kUnderWayMs);
+    for (uint32_t acts = 1 + random.below(3); acts != 0; --acts) {
+      const What who = kWho[random.below(4)];
       // (A mode that is changed back to an earlier one cannot be told from ours that has set that one again.)
       const bool isNew = std::none_of(plan.acts.begin(), plan.acts.end(), [&](const Act& act) {
         return modeSetBy(plan.kind, plan.task, act.what) == modeSetBy(plan.kind, plan.task, who);
       });
-      if (isOfUse(plan, who) && isNew) plan.acts.push_back(Act{who, atMs, 0, order});
-      atMs += below(kAgainMs);
+      if (isOfUse(plan, who) && isNew) plan.acts.push_back(Act{who, static_cast<int32_t>(atMs), 0, order});
+      atMs += random.below(kAgainMs);
     }
-    findings.note(plan);
-  }
+  });
 }
 
 // loop() stands still, before the task or within it, and somebody takes the aircraft a little sooner, or meanwhile.
-void flyStandstills(FlightPlan plan, unsigned count, Findings& findings) {
-  constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe, What::Disarms};
-  FlightPlan clean = plan;
-  clean.loss = 0;
-  const uint32_t span = static_cast<uint32_t>(fly(clean, nullptr).tookMs);
-  const uint32_t first = plan.seed;
-  for (unsigned i = 0; i < count; ++i) {
-    plan.seed = first + i;
-    std::mt19937 random(plan.seed);
-    const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
-    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && below(2) != 0;
-    const uint32_t stallMs = below(20) == 0 ? 65536 * (1 + below(2)) : 250 + below(below(2) != 0 ? 10000 : 1000);
-    const int32_t atMs =
-        below(2) != 0 ? -static_cast<int32_t>(1 + below(1000)) : static_cast<int32_t>(below(span + 200));
-    plan.acts.assign(1, Act{What::Stall, atMs, stallMs, 0});
-    const What who = kWho[below(5)];
-    const int32_t tookMs = atMs - 300 + static_cast<int32_t>(below(300 + stallMs));
+void flyStandstills(FlightPlan from, unsigned count, Findings& findings) {
+  const uint32_t span = undisturbedMs(from);
+  flySeeds(from, count, findings, [span](FlightPlan& plan, Random& random) {
+    const uint32_t longestMs = random.below(20) == 0 ? 0 : random.below(2) != 0 ? 10000 : 1000;
+    const uint32_t stallMs = longestMs == 0 ? 65536 * (1 + random.below(2)) : 250 + random.below(longestMs);
+    const int32_t atMs = random.below(2) != 0 ? -static_cast<int32_t>(1 + random.below(1000))
+                                              : static_cast<int32_t>(random.below(span + 200));
+    plan.acts.push_back(Act{What::Stall, atMs, stallMs, 0});
+    const What who = kWho[random.below(5)];
+    const int32_t tookMs = atMs - 300 + static_cast<int32_t>(random.below(300 + stallMs));
     if (isOfUse(plan, who)) plan.acts.push_back(Act{who, tookMs, 0, 0});
-    vary(plan, below(1000));
-    findings.note(plan);
-  }
+    vary(plan, random.below(1000));
+  });
 }
 
 // A whole number of operations, which follow each other.
@@ -332,14 +285,58 @@ int report(const Findings& findings) {
 
 }  // namespace
 
+void usage(const char* problem) {
+  fprintf(
+      stderr,
+      "%s\n"
+      "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
+      "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
+      "       flights AUTOPILOT TASK pilots COUNT [OPTION VALUE]...  one pilot or failsafe takes it, at a random "
+      "moment\n"
+      "                                                              of so many flights of each task\n"
+      "       flights AUTOPILOT TASK overtakes COUNT [OPTION VALUE]...  the same while an order is under way, and "
+      "up to\n"
+      "                                                              two others a little later, in COUNT flights\n"
+      "       flights AUTOPILOT TASK standstills COUNT [OPTION VALUE]...  somebody takes it while loop() stands still, "
+      "before\n"
+      "                                                              or within the task, in COUNT flights\n"
+      "       flights AUTOPILOT all plays COUNT [OPTION VALUE]...  20 operations at random in each of COUNT flights, "
+      "with\n"
+      "                                                              all actors and a second vehicle\n"
+      "       flights AUTOPILOT TASK one ACT@[ORDER+]MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
+      "  AUTOPILOT  Copter, Rover or PX4\n"
+      "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
+      "             setMode, verifyAndStart, all\n"
+      "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
+      "lose-down, stall,\n"
+      "             silent, stranger\n"
+      "  MS         since the task began, or since its order number ORDER has left\n"
+      "  --seed S   of the losses, and of when heartbeats come (1)\n"
+      "  --loss P   per mille of the bytes that are lost (0)\n"
+      "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
+      "  --buffer B  bytes that are received while loop() stands still (63)\n"
+      "  --second N  the second vehicle: 1 Copter, 2 Rover, 3 PX4; 4, 5, 6: the same in the air (0: none)\n"
+      "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
+      "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
+      problem);
+  exit(2);
+}
+
 int main(int argc, char** argv) {
   if (argc < 4) usage("too few words");
   FlightPlan plan;
   plan.kind = static_cast<Kind>(nameAmong(kKinds, argv[1], "there is no such AUTOPILOT"));
   const std::string task = argv[2], how = argv[3];
-  unsigned number = 0;
+  const std::map<std::string, std::function<void(const char*)>> options = {
+      {"--seed", [&plan](const char* value) { plan.seed = static_cast<uint32_t>(atol(value)); }},
+      {"--loss", [&plan](const char* value) { plan.loss = atof(value) / 1000; }},
+      {"--own", [&plan](const char* value) { plan.isInOwnMode = atoi(value) != 0; }},
+      {"--buffer", [&plan](const char* value) { plan.buffer = static_cast<uint16_t>(atoi(value)); }},
+      {"--second", [&plan](const char* value) { plan.second = static_cast<uint8_t>(atoi(value)); }},
+      {"--with", [&plan](const char* value) { plan.acts.push_back(actOf(value)); }}};
+  unsigned count = 0;
   int word = 4;
-  if (how != "one") number = word < argc ? static_cast<unsigned>(atoi(argv[word++])) : 0;
+  if (how != "one") count = word < argc ? static_cast<unsigned>(atoi(argv[word++])) : 0;
   for (; word < argc; ++word) {
     const std::string name = argv[word];
     if (name.compare(0, 2, "--") != 0) {
@@ -347,21 +344,9 @@ int main(int argc, char** argv) {
       continue;
     }
     if (++word == argc) usage("an option without a value");
-    if (name == "--seed") {
-      plan.seed = static_cast<uint32_t>(atol(argv[word]));
-    } else if (name == "--loss") {
-      plan.loss = atof(argv[word]) / 1000;
-    } else if (name == "--own") {
-      plan.isInOwnMode = atoi(argv[word]) != 0;
-    } else if (name == "--buffer") {
-      plan.buffer = static_cast<uint16_t>(atoi(argv[word]));
-    } else if (name == "--second") {
-      plan.second = static_cast<uint8_t>(atoi(argv[word]));
-    } else if (name == "--with") {
-      plan.acts.push_back(actOf(argv[word]));
-    } else {
-      usage("there is no such option");
-    }
+    const auto option = options.find(name);
+    if (option == options.end()) usage("there is no such option");
+    option->second(argv[word]);
   }
   if (how == "one") {
     plan.task = static_cast<Task>(nameAmong(kTaskNames, task, "there is no such TASK"));
@@ -370,12 +355,12 @@ int main(int argc, char** argv) {
   const std::map<std::string, void (*)(FlightPlan, unsigned, Findings&)> ways = {
       {"each", flyEach},           {"random", flyRandom},           {"pilots", flyPilots},
       {"overtakes", flyOvertakes}, {"standstills", flyStandstills}, {"plays", flyPlays}};
-  if (number == 0 || ways.count(how) == 0) usage("each, random, pilots, overtakes, standstills or plays, and a number");
+  if (count == 0 || ways.count(how) == 0) usage("each, random, pilots, overtakes, standstills or plays, and a number");
   Findings findings;
   for (int i = 0; i < kFlights; ++i) {
     plan.task = static_cast<Task>(i);
     if ((task != "all" && task != kTaskNames[i]) || !canBe(plan.kind, plan.task)) continue;
-    ways.at(how)(plan, number, findings);
+    ways.at(how)(plan, count, findings);
     if (how == "plays") break;
   }
   if (findings.flights == 0) usage("there is no such TASK");

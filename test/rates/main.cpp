@@ -10,6 +10,7 @@
 #include "../../simulation/hearing/Hearing.h"
 #include "../explorer/Autopilot.h"
 #include "../explorer/Plans.h"
+#include "Arguments.h"
 #include "Client.h"
 
 using mavmission::Aboard;
@@ -25,42 +26,6 @@ constexpr unsigned kBaud = 57600;
 constexpr uint32_t kArduPilotUs = 6000, kPx4Us = 500;
 constexpr size_t kTransmitBuffer = 800;
 constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
-
-[[noreturn]] void usage(const char* problem) {
-  fprintf(
-      stderr,
-      "%s\n"
-      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY [LATENCY [ITEMS]]]]]\n"
-      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) PX4, MAVSDK,\n"
-      "             Betaflight or iNav (servers of a firmware that the library does not know)\n"
-      "  CLIENT     upload, upload-by-answer or upload-verified\n"
-      "  LOST       frames or bytes\n"
-      "  PERCENT    of them that are lost, in both directions: 0 to 100\n"
-      "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
-      "  BAUD       of the line; 57600 if it is not given\n"
-      "  LOOP       how seldom the client runs [ms]; by default four times in each\n"
-      "  TELEMETRY  what the autopilot sends unasked [bytes/s]; by default 1100 from PX4 and none from ArduPilot\n"
-      "  LATENCY    of the line, each way [ms]; 0 if it is not given\n"
-      "  ITEMS      of the plan; 5 if it is not given\n"
-      "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
-      "client\n"
-      "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
-      "client has sent from COUNT on; how many COUNTs and items it has sent that nobody asked for, how many zeros "
-      "between\n"
-      "frames, and how many bytes of zeros and of what was sent before; how many frames of telemetry the autopilot "
-      "had\n"
-      "to send, and how many of them it has left out, since the line was full. An upload that does not end has "
-      "`never` in the place of how it ended.\n",
-      problem);
-  exit(2);
-}
-
-unsigned number(const char* text, unsigned long most) {
-  char* end;
-  const unsigned long value = strtoul(text, &end, 10);
-  if (*text == 0 || *end != 0 || value > most) usage("a number is missing or too large");
-  return static_cast<unsigned>(value);
-}
 
 // Who sends, and what: the n-th frame of each, or the n-th byte of a direction, is lost or not by the seed alone,
 // whichever client runs.
@@ -310,27 +275,46 @@ class Upload {
   std::map<std::pair<uint32_t, uint16_t>, int> sentOften_;  // by message, and item if it is one
 };
 
-// Which of these names it is.
-template <size_t N>
-unsigned among(const char* const (&names)[N], const char* name, const char* problem) {
-  for (unsigned i = 0; i < N; ++i) {
-    if (strcmp(names[i], name) == 0) return i;
-  }
-  usage(problem);
-}
-
-const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight", "iNav"};
 const char* const kProven[] = {"upload", "upload-by-answer", "upload-verified"};
 const char* const kLost[] = {"frames", "bytes"};
 
 }  // namespace
 
+void usage(const char* problem) {
+  fprintf(
+      stderr,
+      "%s\n"
+      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY [LATENCY [ITEMS]]]]]\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) PX4, MAVSDK,\n"
+      "             Betaflight or iNav (servers of a firmware that the library does not know)\n"
+      "  CLIENT     upload, upload-by-answer or upload-verified\n"
+      "  LOST       frames or bytes\n"
+      "  PERCENT    of them that are lost, in both directions: 0 to 100\n"
+      "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
+      "  BAUD       of the line; 57600 if it is not given\n"
+      "  LOOP       how seldom the client runs [ms]; by default four times in each\n"
+      "  TELEMETRY  what the autopilot sends unasked [bytes/s]; by default 1100 from PX4 and none from ArduPilot\n"
+      "  LATENCY    of the line, each way [ms]; 0 if it is not given\n"
+      "  ITEMS      of the plan; 5 if it is not given\n"
+      "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
+      "client\n"
+      "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
+      "client has sent from COUNT on; how many COUNTs and items it has sent that nobody asked for, how many zeros "
+      "between\n"
+      "frames, and how many bytes of zeros and of what was sent before; how many frames of telemetry the autopilot "
+      "had\n"
+      "to send, and how many of them it has left out, since the line was full. An upload that does not end has "
+      "`never` in the place of how it ended.\n",
+      problem);
+  exit(2);
+}
+
 int main(int argc, char** argv) {
   if (argc < 6 || argc > 11) usage("five to ten arguments are wanted");
-  const Firmwares firmware = static_cast<Firmwares>(among(kFirmwares, argv[1], "no such autopilot"));
-  const Proven proven = static_cast<Proven>(among(kProven, argv[2], "no such client"));
-  const bool byBytes = among(kLost, argv[3], "frames or bytes are lost") != 0;
-  const unsigned percent = number(argv[4], 100);
+  const Firmwares firmware = static_cast<Firmwares>(nameAmong(kFirmwares, argv[1], "no such autopilot"));
+  const Proven proven = static_cast<Proven>(nameAmong(kProven, argv[2], "no such client"));
+  const bool byBytes = nameAmong(kLost, argv[3], "frames or bytes are lost") != 0;
+  const unsigned percent = static_cast<unsigned>(number(argv[4], 100));
   const unsigned seeds = number(argv[5], 1000000);
   const unsigned baud = argc > 6 ? number(argv[6], 10000000) : kBaud;
   const unsigned loopMs = argc > 7 ? number(argv[7], 10000) : 0;
