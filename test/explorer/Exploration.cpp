@@ -292,3 +292,17 @@ class Explorer {
 }  // namespace
 
 Findings explore(const Scenario& scenario, uint64_t mostStates) { return Explorer(scenario, mostStates).run(); }
+
+Findings findBySeeds(uint32_t seed, unsigned count,
+                     const std::function<const char*(uint32_t, Findings*, std::string*)>& run) {
+  Findings findings;
+  findings.isWhole = true;
+  for (; count != 0; --count, ++seed) {
+    const char* const broken = run(seed, &findings, nullptr);
+    if (broken == nullptr) continue;
+    if (++findings.violations != 1) continue;
+    run(seed, nullptr, &findings.trace);
+    findings.broken = std::string(broken) + " (--seed " + std::to_string(seed) + ")";
+  }
+  return findings;
+}

@@ -2,6 +2,7 @@
 // world is known again by 128 bits of hash of its bytes.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -9,7 +10,7 @@
 
 struct Findings {
   uint64_t states = 0;
-  uint64_t operations = 0;  // how many have ended, in walks (Walk.h) and at consoles (Typed.h)
+  uint64_t operations = 0;  // how many have ended, in walk() and type()
   uint64_t transitions = 0;
   uint64_t violations = 0;
   bool isWhole = false;                  // false: more states than allowed
@@ -22,3 +23,16 @@ struct Findings {
 };
 
 Findings explore(const Scenario& scenario, uint64_t mostStates);
+
+// What is drawn by each of these seeds. `run`: null, or the rule that it breaks; it notes what it has found, or tells
+// it in words, where the one or the other is not null.
+Findings findBySeeds(uint32_t seed, unsigned count,
+                     const std::function<const char*(uint32_t, Findings*, std::string*)>& run);
+
+// One way at random through each of many scenarios, which are drawn as well: what needs more mishaps than the
+// exploration of every way can follow. Three operations one behind the other, on a line that loses and doubles many
+// frames, beside reboots and cancels; from seed `seed` on.
+Findings walk(Firmwares firmware, uint32_t seed, unsigned count);
+
+// A PlanConsole that is typed at at random, while operations run, on links that lose, double and delay frames.
+Findings type(Firmwares firmware, uint32_t seed, unsigned sessions);

@@ -34,6 +34,16 @@ void Referee::begin(const Task& what, Firmwares firmware) {
   isReading = isLooking || what.operation == Operation::Download || what.operation == Operation::Verify;
 }
 
+// What was asked for and sent before no longer counts.
+void Referee::goOn() {
+  const Task what = task;
+  const uint8_t onTheWire = items;
+  memset(static_cast<void*>(this), 0, sizeof(*this));
+  task = what;
+  items = onTheWire;
+  isRunning = true;
+}
+
 void Referee::goOnByItems(bool isProof) {
   if (task.operation == Operation::FileVerify) {
     task.operation = Operation::Verify;
@@ -79,36 +89,22 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
   if (isUpload() && !isReading && message.kind == Kind::List) {
     if (task.operation == Operation::Upload) return "the plan is read back unasked";
     if (!isLastSent && items != 0) return "the plan is read back before the last item was sent";
-    // What was asked for and sent before no longer counts.
-    const Task upload = task;
-    const uint8_t onTheWire = items;
     const bool isRefused = (heardAcks & (1u << kError)) != 0;
     const uint8_t goesOn = mayGoOn;
-    memset(static_cast<void*>(this), 0, sizeof(*this));
+    goOn();
     wasRefused = isRefused;
     mayGoOn = goesOn;
-    task = upload;
-    items = onTheWire;
-    isRunning = isReading = true;
+    isReading = true;
   }
   if (mayGoOn && isReading && message.kind == Kind::Count) {
-    Task upload = task;
-    upload.operation = Operation::UploadVerified;
-    const uint8_t onTheWire = items, hurried = isHurried;
-    memset(static_cast<void*>(this), 0, sizeof(*this));
-    task = upload;
-    items = onTheWire;
-    isRunning = true;
+    const uint8_t hurried = isHurried;
+    goOn();
+    task.operation = Operation::UploadVerified;
     isHurried = hurried;
   }
   if (isLooking && isCancel) {
     if (!isCounted) return "an upload begins before it was looked what is aboard";
-    const Task ensured = task;
-    const uint8_t onTheWire = items;
-    memset(static_cast<void*>(this), 0, sizeof(*this));
-    task = ensured;
-    items = onTheWire;
-    isRunning = true;
+    goOn();
     return nullptr;
   }
   if (isCancel && !isPx4(firmware) && !mayFree) return "a running transfer is cancelled";
@@ -175,15 +171,8 @@ const char* Referee::sentInUpload(const Message& message) {
       asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
       return nullptr;
 
-    case Kind::Heartbeat:
-    case Kind::Request:
-    case Kind::OlderRequest:
-    case Kind::List:
-    case Kind::ClearAll:
-    case Kind::File:
-    case Kind::FileReply: break;
+    default: return "a frame is sent that has no place in an upload";
   }
-  return "a frame is sent that has no place in an upload";
 }
 
 const char* Referee::sentInReading(const Message& message, Firmwares firmware) {
@@ -227,14 +216,8 @@ const char* Referee::sentInReading(const Message& message, Firmwares firmware) {
       isClosed = true;
       return nullptr;
 
-    case Kind::Heartbeat:
-    case Kind::Count:
-    case Kind::Item:
-    case Kind::ClearAll:
-    case Kind::File:
-    case Kind::FileReply: break;
+    default: return "a frame is sent that has no place in a download";
   }
-  return "a frame is sent that has no place in a download";
 }
 
 void Referee::heard(const Message& message, Firmwares firmware) {
@@ -309,12 +292,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       requests = underWay != 0;
       return;
 
-    case Kind::Heartbeat:
-    case Kind::OlderRequest:
-    case Kind::List:
-    case Kind::ClearAll:
-    case Kind::File:
-    case Kind::FileReply: return;
+    default: return;
   }
 }
 

@@ -21,6 +21,9 @@ enum class Operation : uint8_t {
   FileVerify,
 };
 
+constexpr const char* kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure",     "download",
+                                       "verify", "clear",           "file-upload",     "file-verify"};
+
 inline bool isByFiles(Operation operation) { return operation >= Operation::FileUpload; }
 
 // Plan `plan` with `items` items, or what is to be read.
@@ -108,6 +111,7 @@ struct Referee {
   uint16_t againMs(uint16_t otherwiseMs) const { return isHurried ? kHurriedMs : otherwiseMs; }
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                            const Autopilot* before) const;
+  void goOn();
   const char* sentWhile(const Message& message, Firmwares firmware);
   const char* sentInUpload(const Message& message);
   const char* sentInReading(const Message& message, Firmwares firmware);

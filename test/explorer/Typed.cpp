@@ -1,4 +1,4 @@
-#include "Typed.h"
+#include "Exploration.h"
 
 #include <string.h>
 
@@ -718,15 +718,7 @@ class Terminal {
 }  // namespace
 
 Findings type(Firmwares firmware, uint32_t seed, unsigned sessions) {
-  Findings findings;
-  findings.isWhole = true;
-  for (uint32_t i = seed; i < seed + sessions; ++i) {
-    const char* const broken = Terminal(firmware, i, nullptr).run(&findings);
-    if (broken == nullptr) continue;
-    ++findings.violations;
-    if (findings.violations != 1) continue;
-    Terminal(firmware, i, &findings.trace).run(nullptr);
-    findings.broken = std::string(broken) + " (--seed " + std::to_string(i) + ")";
-  }
-  return findings;
+  return findBySeeds(seed, sessions, [firmware](uint32_t one, Findings* findings, std::string* told) {
+    return Terminal(firmware, one, told).run(findings);
+  });
 }

@@ -1,4 +1,4 @@
-#include "Walk.h"
+#include "Exploration.h"
 
 #include <string.h>
 
@@ -66,45 +66,37 @@ class Walker {
   uint32_t which_ = 0;   // this one
 };
 
+// Null, or the rule that is broken on the way.
+const char* go(Firmwares firmware, uint32_t seed, Findings* findings, std::string* told) {
+  constexpr uint64_t kMostSteps = 100000;  // of a walk, which otherwise never ends
+  Walker walker(seed);
+  const Scenario scenario = walker.drawn(firmware);
+  World world;
+  world.begin(scenario);
+  uint32_t nowMs = 0;
+  for (uint64_t steps = 0; steps < kMostSteps; ++steps) {
+    const Moves moves = world.moves();
+    if (moves.count == 0) return world.leftUndone();
+    std::string log;
+    const Outcome outcome = world.step(scenario, moves.list[walker.next(moves)], told != nullptr ? &log : nullptr);
+    nowMs += outcome.ms;
+    if (told != nullptr) *told += std::to_string(nowMs) + " ms  " + log + "\n";
+    if (findings != nullptr) ++findings->transitions;
+    if (findings != nullptr && outcome.hasEnded) {
+      ++findings->operations;
+      ++findings->ends[std::to_string(outcome.task + 1) + " " + mavmission::toString(outcome.status)];
+    }
+    // (So many copies at once have no place in the line of an exploration.)
+    if (outcome.broken != nullptr && strstr(outcome.broken, "fuller") != nullptr) return nullptr;
+    if (outcome.broken != nullptr) return outcome.broken;
+  }
+  return "it goes on for ever";
+}
+
 }  // namespace
 
 Findings walk(Firmwares firmware, uint32_t seed, unsigned count) {
-  constexpr uint64_t kMostSteps = 100000;  // of a walk, which otherwise never ends
-  Findings findings;
-  findings.isWhole = true;
-  for (uint32_t i = seed; i < seed + count; ++i) {
-    std::string text;
-    const auto go = [&](bool isTold) -> const char* {
-      Walker walker(i);
-      const Scenario scenario = walker.drawn(firmware);
-      World world;
-      world.begin(scenario);
-      uint32_t nowMs = 0;
-      for (uint64_t steps = 0; steps < kMostSteps; ++steps) {
-        const Moves moves = world.moves();
-        if (moves.count == 0) return world.leftUndone();
-        std::string log;
-        const Outcome outcome = world.step(scenario, moves.list[walker.next(moves)], isTold ? &log : nullptr);
-        nowMs += outcome.ms;
-        if (isTold) text += std::to_string(nowMs) + " ms  " + log + "\n";
-        if (!isTold) ++findings.transitions;
-        if (outcome.hasEnded && !isTold) {
-          ++findings.operations;
-          ++findings.ends[std::to_string(outcome.task + 1) + " " + mavmission::toString(outcome.status)];
-        }
-        // (So many copies at once have no place in the line of an exploration.)
-        if (outcome.broken != nullptr && strstr(outcome.broken, "fuller") != nullptr) return nullptr;
-        if (outcome.broken != nullptr) return outcome.broken;
-      }
-      return "it goes on for ever";
-    };
-    const char* const broken = go(false);
-    if (broken == nullptr) continue;
-    ++findings.violations;
-    if (findings.violations != 1) continue;
-    go(true);
-    findings.broken = std::string(broken) + " (--seed " + std::to_string(i) + ")";
-    findings.trace = text;
-  }
-  return findings;
+  return findBySeeds(seed, count, [firmware](uint32_t one, Findings* findings, std::string* told) {
+    return go(firmware, one, findings, told);
+  });
 }

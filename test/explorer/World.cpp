@@ -10,15 +10,6 @@ using mavmission::Status;
 
 namespace {
 
-const char* const kOperations[] = {"upload",
-                                   "upload, read back when in doubt",
-                                   "upload, read back",
-                                   "ensure",
-                                   "download",
-                                   "verify",
-                                   "clear",
-                                   "upload by file",
-                                   "verify by file"};
 const char* const kFateWords[kFates] = {"",
                                         " is lost",
                                         " is repeated",

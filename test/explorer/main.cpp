@@ -9,13 +9,8 @@
 #include "Arguments.h"
 #include "Exploration.h"
 #include "Plans.h"
-#include "Typed.h"
-#include "Walk.h"
 
 namespace {
-
-const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure",     "download",
-                                   "verify", "clear",           "file-upload",     "file-verify"};
 
 int report(const Findings& findings, bool showsFewest) {
   printf("states=%llu\noperations=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
