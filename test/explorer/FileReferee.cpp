@@ -16,15 +16,14 @@ bool isNewer(uint16_t number, uint16_t than) { return static_cast<int16_t>(numbe
 }  // namespace
 
 void FileReferee::begin() {
-  const uint8_t mayBe = mayBeOpen, ours = session, closed = closings, storable = isStorable;
-  const uint16_t last = latest, opened = opening;
-  memset(static_cast<void*>(this), 0, sizeof(*this));
-  mayBeOpen = mayBe;
-  session = ours;
-  closings = closed;
-  isStorable = storable;
-  latest = last;
-  opening = opened;
+  const FileReferee before = *this;
+  *this = FileReferee();
+  mayBeOpen = before.mayBeOpen;
+  session = before.session;
+  closings = before.closings;
+  isStorable = before.isStorable;
+  latest = before.latest;
+  opening = before.opening;
   isRunning = true;
 }
 

@@ -7,20 +7,19 @@
 
 namespace {
 
+using mavmission::detail::FileFrame;
 using mavmission::detail::FileHeader;
 using mavmission::detail::kFileHeader;
 using mavmission::detail::kFileItem;
 
-// The payload: target_network, target_system, target_component, then the fields of the request.
-constexpr size_t kSequence = 3, kSession = 5, kOpcode = 6, kSize = 7, kRequested = 8, kOffset = 11, kData = 15;
 constexpr uint8_t kAck = 128, kNak = 129, kOtherComponent = 191;
 const char kName[] = "@MISSION/mission.dat";
 
-void put(Bytes& bytes, size_t at, uint32_t value, int count) {
-  for (int i = 0; i < count; ++i) bytes[at + static_cast<size_t>(i)] = static_cast<uint8_t>(value >> 8 * i);
+// The data of a message.
+Bytes dataIn(const Bytes& payload, size_t at, size_t size) {
+  const auto begin = payload.begin() + static_cast<long>(FileFrame::kHead + at);
+  return Bytes(begin, begin + static_cast<long>(size));
 }
-
-uint16_t wordAt(const Bytes& bytes, size_t at) { return static_cast<uint16_t>(bytes[at] | bytes[at + 1] << 8); }
 
 uint32_t offsetOf(const FileWords& words) {
   return words.isHeader() ? 0 : static_cast<uint32_t>(kFileHeader + words.first * kFileItem);
@@ -30,10 +29,9 @@ uint32_t offsetOf(const FileWords& words) {
 uint8_t planOf(const Bytes& payload, uint8_t first, uint8_t count, Firmwares firmware) {
   uint8_t plan = 0;
   for (uint8_t i = 0; i < count; ++i) {
-    const auto begin = payload.begin() + static_cast<long>(kData + i * kFileItem);
-    const Bytes bytes(begin, begin + kFileItem);
+    const Bytes bytes = dataIn(payload, i * kFileItem, kFileItem);
     const uint8_t item = itemIn(bytes, firmware), place = static_cast<uint8_t>(first + i);
-    if (item == kNoItemAtAll || wordAt(bytes, 28) != place) return 255;
+    if (item == kNoItemAtAll || messageIn<mavlink_mission_item_int_t>(bytes).seq != place) return 255;
     if (place == 0 && item == kHome) continue;
     plan = static_cast<uint8_t>(item / 16);
     if (place == 0 || item != itemOf(plan, static_cast<uint8_t>(place - 1))) return 255;
@@ -42,15 +40,14 @@ uint8_t planOf(const Bytes& payload, uint8_t first, uint8_t count, Firmwares fir
 }
 
 const char* decodeWrite(const Bytes& payload, Firmwares firmware, FileWords& words, Message& decoded) {
-  const uint8_t size = payload[kSize];
-  const uint32_t offset = wordAt(payload, kOffset);
+  const FileFrame frame = messageIn<FileFrame>(payload);
+  const uint8_t size = frame.size;
+  const uint32_t offset = frame.offset;
   if (offset == 0) {
-    FileHeader header;
     words.first = FileWords::kHeader;
     words.count = FileWords::kSpoilt;
-    if (size == kFileHeader && Bytes(payload.begin() + kData, payload.begin() + kData + kFileHeader) == Bytes(size, 0))
-      return nullptr;
-    memcpy(&header, payload.data() + kData, sizeof(header));
+    if (size == kFileHeader && dataIn(payload, 0, size) == Bytes(size, 0)) return nullptr;
+    const FileHeader header = messageIn<FileHeader>(dataIn(payload, 0, kFileHeader));
     if (size != kFileHeader || header.magic != FileHeader::kMagic || header.type != 0 || header.options != 0 ||
         header.start != 0 || header.count >= FileWords::kSpoilt) {
       return "a wrong header is written";
@@ -92,49 +89,51 @@ std::string fileInWords(const Message& message) {
 
 Bytes fileReplyPayload(const Message& message, Firmwares firmware) {
   const FileWords words = wordsOf(message);
-  Bytes payload(kData, 0);
-  payload[1] = 1;
-  payload[2] = kOtherComponent;
-  put(payload, kSequence, message.number, 2);
-  payload[kSession] = words.session;
-  payload[kOpcode] = words.error == 0 ? kAck : kNak;
-  payload[kRequested] = words.opcode;
+  FileFrame frame = FileFrame();
+  frame.system = 1;
+  frame.component = kOtherComponent;
+  frame.sequence = message.number;
+  frame.session = words.session;
+  frame.opcode = words.error == 0 ? kAck : kNak;
+  frame.requested = words.opcode;
+  const bool isRead = words.opcode == kFileRead || words.opcode == kFileBurst;
   Bytes data;
   if (words.error != 0) {
     data.push_back(words.error);
-  } else if (words.opcode == kFileRead || words.opcode == kFileBurst) {
-    if (words.isHeader()) {
-      data.resize(kFileHeader);
-      put(data, 0, FileHeader::kMagic, 2);
-      put(data, 8, words.count, 2);
-    } else {
-      data = payloadOf(message.item, words.first, kMission, firmware, true);
-    }
-    put(payload, kOffset, offsetOf(words), 4);
-  } else if (words.opcode == kFileWrite) {
-    put(payload, kOffset, offsetOf(words), 4);
+  } else if (isRead && words.isHeader()) {
+    FileHeader header = FileHeader();
+    header.magic = FileHeader::kMagic;
+    header.count = words.count;
+    data = bytesOf(header);
+  } else if (isRead) {
+    data = payloadOf(message.item, words.first, kMission, firmware, true);
   }
-  payload[kSize] = static_cast<uint8_t>(data.size());
-  payload.insert(payload.end(), data.begin(), data.end());
+  if (words.error == 0 && (isRead || words.opcode == kFileWrite)) frame.offset = offsetOf(words);
+  frame.size = static_cast<uint8_t>(data.size());
+  Bytes payload = bytesOf(frame);
+  payload.resize(FileFrame::kHead);
+  payload = payload + data;
   while (payload.size() > 1 && payload.back() == 0) payload.pop_back();
   return payload;
 }
 
 const char* decodeFile(const Bytes& payload, Firmwares firmware, Message& decoded) {
+  const FileFrame frame = messageIn<FileFrame>(payload);
+  const uint8_t size = frame.size;
+  const uint32_t offset = frame.offset;
   FileWords words = FileWords();
-  words.session = payload[kSession];
-  words.opcode = payload[kOpcode];
-  const uint8_t size = payload[kSize];
-  const uint32_t offset = wordAt(payload, kOffset);
-  if (payload[0] != 0 || payload[kRequested] != 0 || payload[9] != 0 || payload[10] != 0 || wordAt(payload, 13) != 0)
+  words.session = frame.session;
+  words.opcode = frame.opcode;
+  if (frame.network != 0 || frame.requested != 0 || frame.isBurstComplete != 0 || frame.padding != 0 || offset > 0xFFFF)
     return "a request of FTP is sent with a field that must be 0";
-  decoded = message(Kind::File, wordAt(payload, kSequence));
+  decoded = message(Kind::File, frame.sequence);
   const char* broken = nullptr;
   switch (words.opcode) {
     case kFileTerminate: break;
     case kFileOpen:
     case kFileCreate:
-      if (size != sizeof(kName) - 1 || memcmp(payload.data() + kData, kName, sizeof(kName)) != 0 || offset != 0)
+      if (size != sizeof(kName) - 1 || dataIn(payload, 0, sizeof(kName)) != Bytes(kName, kName + sizeof(kName)) ||
+          offset != 0)
         broken = "a file with a wrong name is opened";
       break;
     case kFileWrite: broken = decodeWrite(payload, firmware, words, decoded); break;

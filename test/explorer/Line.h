@@ -42,10 +42,6 @@ struct Line {
   uint16_t count;
   uint16_t latencyMs;  // beside kWayMs: a radio, or a line that keeps frames back
 
-  bool isEmpty() const { return count == 0; }
-  // True if nothing but frames that wait for another one is left.
-  bool isStill() const { return first() < 0; }
-
   // The frame that is due first, or -1.
   int first() const {
     int found = -1;

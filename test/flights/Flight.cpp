@@ -150,17 +150,12 @@ class Flying {
   uint32_t below(uint32_t n) { return random_.below(n); }
 
   Flown broken(const std::string& rule) {
-    const Referee& referee = own().referee;
     flown_.broken = rule;
     for (const auto& vehicle : vehicles_) {
       if (!vehicle->referee.broken().empty()) flown_.broken = vehicle->referee.broken();
     }
     flown_.status = sketch_.status();
-    flown_.hasTaken = referee.hasTaken();
-    flown_.isUnseen = referee.isUnseen();
-    flown_.longestWindowMs = referee.longestWindowMs();
-    flown_.longestUndoneMs = referee.longestUndoneMs();
-    flown_.undoneMs = referee.undoneMs();
+    flown_.figures = own().referee.figures();
     return flown_;
   }
 

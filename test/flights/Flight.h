@@ -24,11 +24,8 @@ struct Flown {
   std::string broken;  // the rule that was broken; empty if none was
   mavmission::Status status = mavmission::Status::Idle;
   int32_t tookMs = 0;
-  bool hasTaken = false, isUnseen = false;
-  uint32_t longestWindowMs = 0, longestUndoneMs = 0;
-  std::vector<uint32_t> undoneMs;  // how long each mode was undone that was set again
-  std::vector<int32_t> moments;    // the times since the task began at which a frame left or arrived
-  unsigned framesToOther = 0;      // that were addressed to an aircraft for which nothing was begun
+  Figures figures;
+  std::vector<int32_t> moments;  // the times since the task began at which a frame left or arrived
 };
 
 // `log` takes what happened, in words; it may be null.

@@ -4,17 +4,15 @@ namespace {
 constexpr uint32_t kByteUs = 174, kOnTheWayMs = 1;
 }
 
-void Line::pass(size_t bytes, uint32_t nowMs) {
+void Line::occupy(size_t bytes, uint32_t nowMs) {
   const uint64_t nowUs = nowMs * 1000ull;
   if (freeUs_ < nowUs) freeUs_ = nowUs;
   freeUs_ += bytes * kByteUs;
 }
 
-void Line::occupy(size_t bytes, uint32_t nowMs) { pass(bytes, nowMs); }
-
 void Line::send(const FrameParts& message, uint8_t vehicle, const Bytes& bytes, bool isRight, uint32_t nowMs,
                 size_t sent) {
-  pass(bytes.size() - sent, nowMs);
+  occupy(bytes.size() - sent, nowMs);
   Due due = {nowMs, static_cast<uint32_t>(freeUs_ / 1000) + kOnTheWayMs, Bytes(), message, vehicle, isRight};
   const bool isLost = loseNext_ != 0;
   if (isLost) --loseNext_;

@@ -37,8 +37,6 @@ class Line {
   Due take();
 
  private:
-  void pass(size_t bytes, uint32_t nowMs);
-
   std::mt19937 random_;
   double loss_;
   uint64_t freeUs_ = 0;  // when the line has sent everything

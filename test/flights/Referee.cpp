@@ -87,7 +87,7 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
 
 void Referee::take(uint16_t mode, uint16_t before) {
   const bool isOnGround = isStart(task_) || task_ == Task::TakeOff;
-  hasTaken_ = true;
+  figures_.hasTaken = true;
   takenMs_ = nowMs_;
   // (What it was before it was heard, the sketch cannot know.)
   const bool isKnown = isKnown_ && nowMs_ - cameMs_ <= kLostMs;
@@ -144,8 +144,8 @@ void Referee::modeSet(uint16_t mode, By by) {
     const uint32_t undoneMs = nowMs_ - foreign_.undoneMs;
     // Nobody can know of a mode that no heartbeat has shown: so much later the order is the sketch's own.
     if (!foreign_.isShown && undoneMs > kGivenBackLossyMs) foreign_.is = false;
-    if (foreign_.isShown) undoneMs_.push_back(undoneMs);
-    if (foreign_.isShown && undoneMs > longestUndoneMs_) longestUndoneMs_ = undoneMs;
+    if (foreign_.isShown) figures_.undoneMs.push_back(undoneMs);
+    if (foreign_.isShown && undoneMs > figures_.longestUndoneMs) figures_.longestUndoneMs = undoneMs;
     const uint32_t stoodMs = foreign_.undoneMs < stoodStillMs_ ? stoodStillMs_ - foreign_.undoneMs : 0;
     if (foreign_.isShown && !isBad_ && undoneMs > kGivenBackLossyMs + stoodMs)
       breaks("it is set again too late: " + name(mode));
@@ -160,7 +160,7 @@ void Referee::modeSet(uint16_t mode, By by) {
     foreign_.is = false;
     return;
   }
-  if (windowMs > longestWindowMs_) longestWindowMs_ = windowMs;
+  if (windowMs > figures_.longestWindowMs) figures_.longestWindowMs = windowMs;
   if (windowMs > kWindowMs) {
     breaks("an order undoes " + name(foreign_.mode) + ", which was set " + std::to_string(windowMs) + " ms before");
   }
@@ -316,13 +316,13 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
     isModeOurs_ = false;
     cancelledMs_ = nowMs_;
   }
-  if (saysTaken(status) && isOurs && !foreign_.is && autopilot.isArmed && !hasTaken_ && !wasDisarmed_ && !wasLost_ &&
-      !isHold) {
+  if (saysTaken(status) && isOurs && !foreign_.is && autopilot.isArmed && !figures_.hasTaken && !wasDisarmed_ &&
+      !wasLost_ && !isHold) {
     breaks(words + "nobody has taken it");
   }
   // PX4's HOLD at the top of its takeoff, where no position has shown it: it stays somebody's until it is asked for.
-  if (saysTaken(status) && isHold) hasTaken_ = true;
-  const bool isOver = hasTaken_ && !wasLost_ && takenMs_ >= beganMs_ && !wasForeign_
+  if (saysTaken(status) && isHold) figures_.hasTaken = true;
+  const bool isOver = figures_.hasTaken && !wasLost_ && takenMs_ >= beganMs_ && !wasForeign_
                           ? saysTaken(status) || (isStart(task_) && status == Status::Overruled)
                           : isDisarmed_ && isStart(task_) && status == Status::NotArmed;
   if (isOver && (task_ <= Task::Follow || isStart(task_))) isKept_ = true;
@@ -362,7 +362,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
     if (foreign_.isShown && sketch.status() != Status::Overruled) {
       breaks(words + "an order has undone " + name(foreign_.mode) + " for good");
     } else {
-      isUnseen_ = true;
+      figures_.isUnseen = true;
     }
   }
   const bool hasIt = foreign_.is && !foreign_.isUndone && nowMs_ - foreign_.sinceMs > kBeatMs;
@@ -372,7 +372,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
   const bool isHold = kind_ == Kind::Px4 && shownMode_ == modeOf(kind_, Means::Hold);
   const bool isTop = task_ == Task::TakeOff && foreign_.mode == modeOf(kind_, Means::Hold);
   if (hasIt && !isTop && sketch.steering.maySteer()) breaks(words + "maySteer() is true in " + name(foreign_.mode));
-  if (sketch.client.takenBy() != Status::Idle && !hasTaken_ && !wasDisarmed_ && !wasLost_ && !isHold) {
+  if (sketch.client.takenBy() != Status::Idle && !figures_.hasTaken && !wasDisarmed_ && !wasLost_ && !isHold) {
     breaks(words + "takenBy() says that somebody has taken it, and nobody has");
   }
   const bool isLong = nowMs_ - armedMs_ > kBeatMs;
@@ -386,7 +386,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
     breaks(words + "our plan is aboard, and aboard() denies it");
   const bool isFailed = (isStart(task_) || task_ == Task::TakeOff) && sketch.status() != Status::Done;
   // If somebody has set the earlier mode again, the aircraft is his in that mode.
-  const bool isHis = foreign_.is || (hasTaken_ && saysTaken(sketch.status()));
+  const bool isHis = foreign_.is || (figures_.hasTaken && saysTaken(sketch.status()));
   if (isFailed && !wasLost_ && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !isHis &&
       autopilot.mode != modeOf(kind_, Means::Mission)) {
     breaks(words + "it stands armed");

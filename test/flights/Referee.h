@@ -21,6 +21,14 @@
 #include "Autopilot.h"
 #include "Sketch.h"
 
+// What a flight shows beside the rules.
+struct Figures {
+  bool hasTaken = false;  // somebody has taken the aircraft
+  bool isUnseen = false;  // a foreign mode was undone for good, at a moment that no frame shows
+  uint32_t longestWindowMs = 0, longestUndoneMs = 0;
+  std::vector<uint32_t> undoneMs;  // how long each mode was undone that was set again after a heartbeat had shown it
+};
+
 class Referee : public Witness {
  public:
   static constexpr uint32_t kWindowMs = 45, kGivenBackMs = 300, kGivenBackLossyMs = 2000, kBlindMs = 600,
@@ -65,13 +73,7 @@ class Referee : public Witness {
   void breaks(const std::string& rule);
 
   const std::string& broken() const { return broken_; }
-  // Returns whether a foreign mode was undone for good, at a moment that no frame shows.
-  bool isUnseen() const { return isUnseen_; }
-  uint32_t longestWindowMs() const { return longestWindowMs_; }
-  uint32_t longestUndoneMs() const { return longestUndoneMs_; }
-  // Returns how long each mode was undone that was set again after a heartbeat had shown it.
-  const std::vector<uint32_t>& undoneMs() const { return undoneMs_; }
-  bool hasTaken() const { return hasTaken_; }
+  const Figures& figures() const { return figures_; }
 
  private:
   struct Foreign {
@@ -107,11 +109,8 @@ class Referee : public Witness {
   bool hasBegun_ = false;  // something was begun for it, since it was named
   bool isClean_ = true;
   bool isBad_ = false;  // the line loses more than 1 of 200 bytes
-  bool hasTaken_ = false;
-  bool isUnseen_ = false;
+  Figures figures_;
   Foreign foreign_ = Foreign();
-  uint32_t longestWindowMs_ = 0, longestUndoneMs_ = 0;
-  std::vector<uint32_t> undoneMs_;
   bool isArmed_ = false;                         // whether the aircraft is armed
   uint32_t armedMs_ = 0;                         // when that changed
   uint32_t wasArmedMs_ = 0;                      // when it was armed last

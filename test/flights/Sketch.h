@@ -49,7 +49,6 @@ class Sketch {
   // Does what loop() does. Returns true when the task, or the upload, has ended: see status().
   bool loop(uint32_t nowMs);
   mavmission::Status status() const { return status_; }
-  bool isFollowed() const { return target.isFollowed(); }
 
  private:
   mavmission::Status take(mavmission::Status begun);

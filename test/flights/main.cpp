@@ -28,12 +28,13 @@ struct Findings {
   Flown note(const FlightPlan& plan) {
     const Flown flown = fly(plan, nullptr);
     ++flights;
-    taken += flown.hasTaken;
-    unseen += flown.isUnseen;
-    windowMs = std::max(windowMs, flown.longestWindowMs);
-    if (flown.longestUndoneMs > undoneMs) slowest = plan;
-    undoneMs = std::max(undoneMs, flown.longestUndoneMs);
-    undone.insert(undone.end(), flown.undoneMs.begin(), flown.undoneMs.end());
+    const Figures& figures = flown.figures;
+    taken += figures.hasTaken;
+    unseen += figures.isUnseen;
+    windowMs = std::max(windowMs, figures.longestWindowMs);
+    if (figures.longestUndoneMs > undoneMs) slowest = plan;
+    undoneMs = std::max(undoneMs, figures.longestUndoneMs);
+    undone.insert(undone.end(), figures.undoneMs.begin(), figures.undoneMs.end());
     longestMs = std::max(longestMs, flown.tookMs);
     ++ends[mavmission::toString(flown.status)];
     if (!flown.broken.empty()) breaks(plan, flown.broken);
@@ -181,7 +182,7 @@ void flyPilots(FlightPlan plan, unsigned count, Findings& findings) {
     plan.isInOwnMode = mayBeInOwnMode(plan.task) && random.below(2) != 0;
     plan.acts.assign(1, Act{who, static_cast<int32_t>(random.below(span + 1)), 0, 0});
     const Flown flown = findings.note(plan);
-    if (flown.hasTaken && plan.acts.front().atMs <= flown.tookMs) ++taken;
+    if (flown.figures.hasTaken && plan.acts.front().atMs <= flown.tookMs) ++taken;
   }
   printf("%s=%u %lu\n", kTaskNames[static_cast<int>(plan.task)], taken, findings.unseen - unseenBefore);
 }
