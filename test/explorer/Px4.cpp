@@ -95,10 +95,9 @@ void handOver(Autopilot& from, Autopilot& to) {
   to.stagedSum = from.stagedSum;
   memcpy(to.staged, from.staged, sizeof(to.staged));
   to.hasTransfer = true;
-  from.expected = from.count = 0;
+  from.forget();
   from.hasPartner = from.isUploadOpen = from.hasTransfer = false;
   from.stagedSum = 0;
-  memset(from.staged, 0, sizeof(from.staged));
 }
 
 }  // namespace

@@ -54,19 +54,12 @@ uint8_t Scenario::otherType() const {
 
 Outcome World::begin(const Scenario& scenario) {
   memset(static_cast<void*>(this), 0, sizeof(*this));
-  losses_ = scenario.losses;
-  faults_ = scenario.faults;
-  reboots_ = scenario.reboots;
-  cancels_ = scenario.cancels;
-  resets_ = scenario.resets;
-  copies_ = scenario.copies;
-  hasTwoLinks_ = scenario.hasTwoLinks;
+  left_ = scenario;
   autopilot_.begin(scenario.firmware, kMission);
   beside_.begin(scenario.firmware, scenario.otherType());
   const bool isMission = scenario.tasks.front().type == kMission;
   autopilot_.hold(isMission ? scenario.heldPlan : 0, isMission ? scenario.heldItems : scenario.heldBeside);
   beside_.hold(isMission ? 0 : scenario.heldPlan, isMission ? scenario.heldBeside : scenario.heldItems);
-  others_ = scenario.others;
   toAutopilot_.latencyMs = toClient_.latencyMs = scenario.latencyMs;
   autopilot_.refused = scenario.refused;
   heartbeatInMs_ = kNever;
@@ -80,7 +73,7 @@ void World::beginTask(const Scenario& scenario, std::string* log) {
   say(log, "the sketch begins: ", kOperations[static_cast<int>(task.operation)], ", ", task.items, " items");
   before_ = planOf(task.type);
   // (A board that was reset listens for 1.2 s first, which is left out here.)
-  isUndisturbed_ = scenario.resets == 0 && (losses_ | faults_ | reboots_ | cancels_ | others_ | copies_) == 0;
+  isUndisturbed_ = scenario.resets == 0 && !left_.canBe();
   referee_.begin(task, scenario.firmware);
   if (isByFiles(task.operation)) fileReferee_.begin();
   sunk = &sunk_;
@@ -115,8 +108,8 @@ Moves World::moves() const {
     const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
     const InFlight& due = line.frames[line.first()];
     const bool isSpared = due.isSpared || isSure(due.message);
-    if (losses_ != 0 && !isSpared) moves.add(Choice::Event, Fate::Lost);
-    if (faults_ != 0 && !isSpared) {
+    if (left_.losses != 0 && !isSpared) moves.add(Choice::Event, Fate::Lost);
+    if (left_.faults != 0 && !isSpared) {
       for (Fate fate : {Fate::Repeated, Fate::RepeatedLate, Fate::Delayed}) moves.add(Choice::Event, fate);
       // A model has no parser: what is damaged on its way to the autopilot is lost.
       if (event == Event::ToClient) {
@@ -124,21 +117,21 @@ Moves World::moves() const {
       }
     }
   }
-  if (copies_ != 0 && (event == Event::ToAutopilot || event == Event::ToClient)) {
+  if (left_.copies != 0 && (event == Event::ToAutopilot || event == Event::ToClient)) {
     const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
     for (Fate fate : {Fate::Copied30, Fate::Copied120, Fate::Copied300, Fate::Late30, Fate::Late120, Fate::Late300}) {
-      const bool isMove = fate < Fate::Late30 || hasTwoLinks_ != 0;
+      const bool isMove = fate < Fate::Late30 || left_.hasTwoLinks != 0;
       if (isMove && !line.frames[line.first()].isSpared) moves.add(Choice::Event, fate);
     }
   }
-  if (reboots_ != 0) moves.add(Choice::Reboot);
-  if (others_ != 0) {
+  if (left_.reboots != 0) moves.add(Choice::Reboot);
+  if (left_.others != 0) {
     for (Choice choice : {Choice::OtherOpens, Choice::OtherCreates, Choice::OtherWrites, Choice::OtherEnds})
       moves.add(choice);
   }
   if (!referee_.isRunning) return moves;
-  if (cancels_ != 0) moves.add(Choice::Cancel);
-  if (resets_ != 0 && task_ == 0) moves.add(Choice::Reset);
+  if (left_.cancels != 0) moves.add(Choice::Cancel);
+  if (left_.resets != 0 && task_ == 0) moves.add(Choice::Reset);
   return moves;
 }
 
@@ -217,7 +210,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
 
 // What is lost without end after the last operation would be asked for without end.
 bool World::isSure(const Message& message) const {
-  return isOfFiles(message) && !referee_.isRunning && losses_ == Scenario::kAnyNumber;
+  return isOfFiles(message) && !referee_.isRunning && left_.losses == Scenario::kAnyNumber;
 }
 
 const char* World::sent(const Message& message, Firmwares firmware) {
@@ -311,7 +304,7 @@ Outcome World::hearOther(Choice choice, std::string* log) {
   words.count = choice == Choice::OtherWrites;
   const Message request = message(Kind::File, client_.lastNumber(), 0, words.packed());
   say(log, "another client: ", request);
-  --others_;
+  --left_.others;
   Outcome outcome;
   outcome.isFault = true;
   if (autopilot_.bootsInMs != kNever) return outcome;
@@ -342,7 +335,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
   switch (move.choice) {
     case Choice::Reboot:
       say(log, "the autopilot reboots");
-      --reboots_;
+      --left_.reboots;
       autopilot_.reboot();
       beside_.reboot();
       files_.reboot();
@@ -350,14 +343,14 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       return outcome;
     case Choice::Cancel:
       say(log, "the sketch cancels");
-      --cancels_;
+      --left_.cancels;
       client_.cancel();
       outcome = runClient(scenario, 0, Bytes(), log);
       outcome.isFault = true;
       return outcome;
     case Choice::Reset:
       say(log, "the Arduino is reset");
-      --resets_;
+      --left_.resets;
       if (!isLastTask(scenario)) ++task_;
       referee_.owesCancel = referee_.hasEndedOne = false;
       loseFilesOfBefore();
@@ -384,11 +377,11 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
     say(log, message, isDelivered(move.fate) ? " arrives" : "", kFateWords[static_cast<int>(move.fate)]);
     outcome.isFault = move.fate != Fate::Delivered;
     if (move.fate == Fate::Lost) {
-      if (losses_ != Scenario::kAnyNumber) --losses_;
+      if (left_.losses != Scenario::kAnyNumber) --left_.losses;
     } else if (move.fate >= Fate::Copied30) {
-      if (copies_ != Scenario::kAnyNumber) --copies_;
+      if (left_.copies != Scenario::kAnyNumber) --left_.copies;
     } else if (outcome.isFault) {
-      --faults_;
+      --left_.faults;
     }
     if (event == Event::ToAutopilot) {
       Answers answers;

@@ -12,26 +12,32 @@
 #include "Line.h"
 #include "Referee.h"
 
-// What is explored. Losses are counted only where their number is bounded.
-struct Scenario {
+// What may happen, and how often. Losses and copies are counted only where their number is bounded.
+struct Mishaps {
   static constexpr uint8_t kAnyNumber = 255;
 
+  uint8_t losses = kAnyNumber;
+  uint8_t faults = 0;       // frames that are repeated, delayed or damaged
+  uint8_t reboots = 0;      // of the autopilot
+  uint8_t cancels = 0;      // by the sketch, of what runs then
+  uint8_t resets = 0;       // of the Arduino in the first task
+  uint8_t copies = 0;       // frames that come once more, some time later
+  uint8_t hasTwoLinks = 0;  // or that time later alone
+  uint8_t others = 0;       // requests of another client to the server of files
+
+  bool canBe() const { return (losses | faults | reboots | cancels | others | copies) != 0; }
+};
+
+// What is explored.
+struct Scenario : Mishaps {
   Firmwares firmware = Firmwares::ArduPilot;
   std::vector<Task> tasks;  // each begins when the one before has ended, however, or is broken off
   uint8_t heldPlan = 0;     // what is aboard at the beginning
   uint8_t heldItems = 2;
   uint8_t heldBeside = 0;  // items of the other kind of plan
-  uint8_t losses = kAnyNumber;
-  uint8_t faults = 0;        // frames that are repeated, delayed or damaged
-  uint8_t reboots = 0;       // of the autopilot
-  uint8_t cancels = 0;       // by the sketch, of what runs then
-  uint8_t resets = 0;        // of the Arduino in the first task
-  uint8_t copies = 0;        // frames that come once more, some time later
-  bool hasTwoLinks = false;  // or that time later alone
-  uint16_t latencyMs = 0;    // each way
-  uint8_t others = 0;        // requests of another client to the server of files
-  uint8_t refused = 0;       // the wire item that ArduPilot does not take; 0: none
-  bool isLossy = false;      // the client takes the line for one that loses, from the beginning
+  uint16_t latencyMs = 0;  // each way
+  uint8_t refused = 0;     // the wire item that ArduPilot does not take; 0: none
+  bool isLossy = false;    // the client takes the line for one that loses, from the beginning
   // The kind of plan beside the mission: a fence or rally points.
   uint8_t otherType() const;
   bool hasFiles() const { return !tasks.empty() && isByFiles(tasks.front().operation); }
@@ -103,9 +109,8 @@ class World {
   FileServer files_;
   FileReferee fileReferee_;
   uint16_t heartbeatInMs_;  // of the autopilot; kNever where nobody waits for it
-  uint8_t losses_, faults_, reboots_, cancels_, resets_, others_, copies_;
-  uint8_t isUndisturbed_;  // nothing can happen to the operation any more
-  uint8_t hasTwoLinks_;
-  uint8_t spare_[2];
+  Mishaps left_;            // that may still happen
+  uint8_t isUndisturbed_;   // nothing can happen to the operation any more
+  uint8_t spare_[3];
 };
 static_assert(std::is_trivially_copyable<World>::value, "copied and folded by its bytes");

@@ -5,7 +5,7 @@
 namespace {
 
 constexpr int32_t kLatitudeE7 = -353632621, kLongitudeE7 = 1491652374, kHomeMm = 584000;
-constexpr uint32_t kBeatMs = 1000, kMoveMs = 100;
+constexpr uint32_t kHeartbeatMs = 1000, kMoveMs = 100;
 constexpr int32_t kClimbCm = 20, kSinkCm = 20;  // in each kMoveMs
 constexpr uint32_t kDisarmMs = 2000;            // it disarms so long after it has landed
 
@@ -22,9 +22,9 @@ Autopilot::Autopilot(Kind which, uint8_t system, Witness& witness, uint32_t firs
       systemId(system),
       mode(modeOf(which, which == Kind::Px4 ? Means::Hold : Means::First)),
       witness_(witness) {
-  streams_[MAVLINK_MSG_ID_HEARTBEAT] = {kBeatMs, firstBeatMs};
+  streams_[MAVLINK_MSG_ID_HEARTBEAT] = {kHeartbeatMs, firstBeatMs};
   if (isPx4()) {
-    streams_[MAVLINK_MSG_ID_MISSION_CURRENT] = {kBeatMs, firstBeatMs + 420};
+    streams_[MAVLINK_MSG_ID_MISSION_CURRENT] = {kHeartbeatMs, firstBeatMs + 420};
   }
   if (which != Kind::Rover) streams_[MAVLINK_MSG_ID_ATTITUDE] = {200, firstBeatMs + 57};
 }
