@@ -36,9 +36,7 @@ class ClientUnderTest {
   // The line has been seen to lose: it sends again sooner, and more often.
   bool isHurried() const { return client().link_.pace_.isLossy(); }
   static constexpr uint16_t kRoundTripMs = 200;
-  bool isBusy() const { return client().isBusy(); }
   // Of PlanFiles. A file that was left open is closed with the next heartbeat, which is seen only then.
-  bool isByFile() const { return hasFiles_ != 0 && files().isByFile_; }
   bool waitsForHeartbeat() const;
   uint16_t lastNumber() const { return hasFiles_ != 0 ? files().sequence_ : 0; }
   // Numbers of requests count from another one.

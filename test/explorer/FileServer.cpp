@@ -36,64 +36,50 @@ FileWords FileServer::done(const Message& request, const FileWords& words, const
                            Answers& before) {
   FileWords said = words;
   const FileWords asked = wordsOf(request);
-  switch (asked.opcode) {
-    case kFileOpen:
-    case kFileCreate:
-      if (isOpen) {
-        said.error = kFileFail;
-        return said;
-      }
-      isOpen = true;
-      session = asked.session;
-      isWritten = asked.opcode == kFileCreate;
-      header = extent = 0;
-      memset(items, kNoItemAtAll, sizeof(items));
-      return said;
-
-    case kFileWrite:
-      if (!isOpen || !isWritten) {
-        said.error = isOpen ? kFileFail : kFileNotFound;
-        return said;
-      }
-      if (asked.isHeader()) {
-        const bool isSpoilt = asked.count == FileWords::kSpoilt;
-        header = static_cast<uint8_t>(isSpoilt ? 0 : asked.count + 1);
-        if (isSpoilt) return said;
-        extent = std::max(extent, asked.count);
-        return said;
-      }
-      for (uint8_t i = asked.first; i < asked.first + asked.count; ++i) {
-        items[i] = i == 0 ? kHome : itemOf(request.item, static_cast<uint8_t>(i - 1));
-        extent = std::max(extent, static_cast<uint8_t>(i + 1));
-      }
-      return said;
-
-    case kFileRead:
-    case kFileBurst:
-      if (!isOpen || isWritten) {
-        said.error = isOpen ? kFileFail : kFileNotFound;
-        return said;
-      }
-      if (asked.isHeader()) {
-        said.count = autopilot.heldCount;
-        return said;
-      }
-      for (uint8_t i = asked.first; i < autopilot.heldCount; ++i) {
-        said.first = i;
-        said.count = 1;
-        reply.item = autopilot.held[i];
-        if (asked.opcode == kFileRead) return said;
-        reply.opaqueId = said.packed();
-        before.add(reply);
-        ++reply.number;
-      }
-      reply.item = 0;
-      said.count = 0;
-      said.error = kFileEnd;
-      return said;
-
-    default: said.error = kFileFail; return said;
+  const bool isOpening = asked.opcode == kFileOpen || asked.opcode == kFileCreate;
+  const bool isWriting = asked.opcode == kFileWrite;
+  if (isOpening ? isOpen : !isOpen || isWritten != isWriting) {
+    said.error = isOpen ? kFileFail : kFileNotFound;
+    return said;
   }
+  if (isOpening) {
+    isOpen = true;
+    session = asked.session;
+    isWritten = asked.opcode == kFileCreate;
+    header = extent = 0;
+    memset(items, kNoItemAtAll, sizeof(items));
+    return said;
+  }
+  if (isWriting && asked.isHeader()) {
+    const bool isSpoilt = asked.count == FileWords::kSpoilt;
+    header = static_cast<uint8_t>(isSpoilt ? 0 : asked.count + 1);
+    if (!isSpoilt) extent = std::max(extent, asked.count);
+    return said;
+  }
+  if (isWriting) {
+    for (uint8_t i = asked.first; i < asked.first + asked.count; ++i) {
+      items[i] = i == 0 ? kHome : itemOf(request.item, static_cast<uint8_t>(i - 1));
+      extent = std::max(extent, static_cast<uint8_t>(i + 1));
+    }
+    return said;
+  }
+  if (asked.isHeader()) {
+    said.count = autopilot.heldCount;
+    return said;
+  }
+  for (uint8_t i = asked.first; i < autopilot.heldCount; ++i) {
+    said.first = i;
+    said.count = 1;
+    reply.item = autopilot.held[i];
+    if (asked.opcode == kFileRead) return said;
+    reply.opaqueId = said.packed();
+    before.add(reply);
+    ++reply.number;
+  }
+  reply.item = 0;
+  said.count = 0;
+  said.error = kFileEnd;
+  return said;
 }
 
 // Nobody learns what becomes of it but by looking.

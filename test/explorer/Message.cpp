@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "FileWords.h"
+#include "Names.h"
 #include "PlanFrames.h"
 #include "Plans.h"
 #include "mavmission/base/MavlinkHeaders.h"
@@ -11,18 +12,6 @@
 namespace {
 
 const uint8_t kAutopilotSystem = 1, kAutopilotComponent = 1, kClientComponent = 191;
-
-const char* resultName(uint16_t result) {
-  switch (result) {
-    case kAccepted: return "accepted";
-    case kError: return "error";
-    case kUnsupported: return "unsupported";
-    case kInvalidSequence: return "invalid sequence";
-    case kDenied: return "denied";
-    case kCancelled: return "cancelled";
-    default: return "another result";
-  }
-}
 
 }  // namespace
 
@@ -61,7 +50,7 @@ std::string inWords(const Message& message) {
       const std::string plan = message.item == kHome ? "home" : "of plan " + std::to_string(message.item / 16);
       return "ITEM " + number + " (" + plan + ")";
     }
-    case Kind::Ack: return std::string("ACK ") + resultName(message.number) + kTypes[message.type];
+    case Kind::Ack: return std::string("ACK ") + kMissionResults[message.number % 16] + kTypes[message.type];
     case Kind::List: return std::string("REQUEST_LIST") + kTypes[message.type];
     case Kind::ClearAll: return std::string("CLEAR_ALL") + kTypes[message.type];
     case Kind::File:

@@ -70,7 +70,7 @@ void Autopilot::actorSetsMode(uint16_t wanted, bool isFailsafe, uint32_t nowMs) 
   by_ = By::Itself;
 }
 
-void Autopilot::actorDisarms(uint32_t) {
+void Autopilot::actorDisarms() {
   by_ = By::Actor;
   heightCm = 0;
   setArmed(false);

@@ -44,9 +44,9 @@ class Autopilot {
   void putInAir(uint32_t nowMs);
   // These are what actors do to it.
   void actorSetsMode(uint16_t mode, bool isFailsafe, uint32_t nowMs);
-  void actorDisarms(uint32_t nowMs);
-  void actorSetsPlan(int moreItems, uint32_t nowMs);  // so many items longer than the plan aboard
-  void actorClearsPlan(uint32_t nowMs);
+  void actorDisarms();
+  void actorSetsPlan(int moreItems);  // so many items longer than the plan aboard
+  void clear();
   bool isAirborne() const { return heightCm > 10; }
 
  private:
@@ -86,7 +86,7 @@ class Autopilot {
   };
   FrameParts composed(uint32_t id) const;
   void hearCommand(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs);
-  bool hearMission(const FrameParts& message, uint32_t nowMs);
+  void hearMission(const FrameParts& message, uint32_t nowMs);
   void askForItem(uint32_t nowMs);
   void lookForItem(uint32_t nowMs);
   void acknowledge(uint8_t result, uint32_t nowMs);

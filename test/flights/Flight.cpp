@@ -186,7 +186,7 @@ class Flying {
 
   // Whoever has taken the aircraft keeps it, also when it has landed and was disarmed, until the sketch asks for it.
   void askAgain() {
-    own().model.actorDisarms(nowMs_);
+    own().model.actorDisarms();
     run(1500);
     const Status who = sketch_.client.takenBy();
     begin(Task::Arm);
@@ -269,11 +269,11 @@ class Flying {
       case What::Pilot: return model.actorSetsMode(modeOf(kind, Means::Pilot), false, nowMs_);
       case What::Lands: return model.actorSetsMode(modeOfLanding(kind, plan_.task), false, nowMs_);
       case What::Holds: return model.actorSetsMode(modeOf(kind, Means::Hold), false, nowMs_);
-      case What::Disarms: return model.actorDisarms(nowMs_);
+      case What::Disarms: return model.actorDisarms();
       case What::Failsafe: return model.actorSetsMode(modeOf(kind, Means::Return), true, nowMs_);
-      case What::OtherPlan: return model.actorSetsPlan(1, nowMs_);
-      case What::SamePlan: return model.actorSetsPlan(0, nowMs_);
-      case What::Clears: return model.actorClearsPlan(nowMs_);
+      case What::OtherPlan: return model.actorSetsPlan(1);
+      case What::SamePlan: return model.actorSetsPlan(0);
+      case What::Clears: return model.clear();
       case What::Cut:
         up_.cutUntil(nowMs_ + act.amount);
         down_.cutUntil(nowMs_ + act.amount);

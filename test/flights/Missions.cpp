@@ -28,58 +28,44 @@ void Autopilot::take(const std::vector<Bytes>& items, bool isOurs) {
   witness_.planSet(isOurs, by_);
 }
 
-bool Autopilot::hearMission(const FrameParts& message, uint32_t nowMs) {
+void Autopilot::hearMission(const FrameParts& message, uint32_t nowMs) {
   const uint16_t home = firstItem();
   switch (message.messageId) {
-    case MAVLINK_MSG_ID_MISSION_COUNT: {
+    case MAVLINK_MSG_ID_MISSION_COUNT:
       isReceiving_ = true;
       announced_ = messageIn<mavlink_mission_count_t>(message.payload).count;
       expected_ = 0;
       received_.clear();
       heardMs_ = nowMs;
-      askForItem(nowMs);
-      return true;
-    }
+      return askForItem(nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-      if (!isReceiving_ || messageIn<mavlink_mission_item_int_t>(message.payload).seq != expected_) return true;
+      if (!isReceiving_ || messageIn<mavlink_mission_item_int_t>(message.payload).seq != expected_) return;
       heardMs_ = nowMs;
       if (expected_++ >= home) received_.push_back(message.payload);
-      if (expected_ < announced_) {
-        askForItem(nowMs);
-        return true;
-      }
+      if (expected_ < announced_) return askForItem(nowMs);
       isReceiving_ = false;
       take(received_, true);
-      acknowledge(MAV_MISSION_ACCEPTED, nowMs);
-      return true;
+      return acknowledge(MAV_MISSION_ACCEPTED, nowMs);
     case MAVLINK_MSG_ID_MISSION_REQUEST_LIST: {
       const uint16_t items = static_cast<uint16_t>(plan.size() + home);
-      send(countParts(items, mavmission::PlanType::Mission, planId(), systemId), nowMs + kAnswerMs);
-      return true;
+      return send(countParts(items, mavmission::PlanType::Mission, planId(), systemId), nowMs + kAnswerMs);
     }
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
       const uint16_t item = messageIn<mavlink_mission_request_int_t>(message.payload).seq;
-      if (item >= plan.size() + home) {
-        acknowledge(MAV_MISSION_INVALID_SEQUENCE, nowMs);
-      } else {
-        send(itemToRead(item), nowMs + kAnswerMs);
-      }
-      return true;
+      if (item >= plan.size() + home) return acknowledge(MAV_MISSION_INVALID_SEQUENCE, nowMs);
+      return send(itemToRead(item), nowMs + kAnswerMs);
     }
     case MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
       isReceiving_ = false;
-      current_ = 0;
-      take(std::vector<Bytes>(), false);
-      acknowledge(MAV_MISSION_ACCEPTED, nowMs);
-      return true;
+      clear();
+      return acknowledge(MAV_MISSION_ACCEPTED, nowMs);
     case MAVLINK_MSG_ID_MISSION_SET_CURRENT:
-      hearSetCurrent(messageIn<mavlink_mission_set_current_t>(message.payload).seq, nowMs);
-      return true;
-    default: return message.messageId == MAVLINK_MSG_ID_MISSION_ACK;
+      return hearSetCurrent(messageIn<mavlink_mission_set_current_t>(message.payload).seq, nowMs);
+    default: return;
   }
 }
 
-void Autopilot::actorSetsPlan(int moreItems, uint32_t) {
+void Autopilot::actorSetsPlan(int moreItems) {
   if (plan.empty()) return;
   std::vector<Bytes> items = plan;
   for (Bytes& item : items) {
@@ -91,7 +77,7 @@ void Autopilot::actorSetsPlan(int moreItems, uint32_t) {
   take(items, false);
 }
 
-void Autopilot::actorClearsPlan(uint32_t) {
+void Autopilot::clear() {
   current_ = 0;
   take(std::vector<Bytes>(), false);
 }

@@ -86,56 +86,41 @@ class Server {
   // What comes before `reply`, the last answer.
   std::vector<Bytes> done(const Bytes& request, Bytes& reply) {
     std::vector<Bytes> before;
-    const uint8_t size = request[7];
+    const uint8_t opcode = request[6], size = request[7];
     const size_t offset = request[11] | request[12] << 8;
-    switch (request[6]) {
-      case 4:
-      case 6:
-        if (isOpen_) {
-          refuse(reply, 1);
-        } else {
-          isOpen_ = true;
-          session_ = request[5];
-          writes_ = request[6] == 6;
-          data_.clear();
-        }
-        return before;
-      case 5:
-      case 15: {
-        if (!isOpen_ || writes_) {
-          refuse(reply, isOpen_ ? 1 : 10);
+    const bool isOpening = opcode == 4 || opcode == 6, isWriting = opcode == 7;
+    if (isOpening ? isOpen_ : !isOpen_ || writes_ != isWriting) {
+      refuse(reply, isOpen_ ? 1 : 10);
+    } else if (isOpening) {
+      isOpen_ = true;
+      session_ = request[5];
+      writes_ = opcode == 6;
+      data_.clear();
+    } else if (isWriting) {
+      if (data_.size() < offset + size) data_.resize(offset + size, 0);
+      memcpy(data_.data() + offset, request.data() + kFrameHead, size);
+      reply[11] = request[11];
+      reply[12] = request[12];
+    } else {
+      demand(opcode == 5 || opcode == 15, "a request of FTP is sent that nobody needs");
+      const Bytes whole = file();
+      for (size_t at = offset; at < whole.size() && size != 0; at += size) {
+        Bytes piece = reply;
+        piece[7] = static_cast<uint8_t>(std::min<size_t>(size, whole.size() - at));
+        piece[11] = static_cast<uint8_t>(at);
+        piece[12] = static_cast<uint8_t>(at >> 8);
+        piece.insert(piece.end(), whole.begin() + static_cast<long>(at),
+                     whole.begin() + static_cast<long>(at + piece[7]));
+        if (opcode == 5) {
+          reply = piece;
           return before;
         }
-        const Bytes whole = file();
-        for (size_t at = offset; at < whole.size() && size != 0; at += size) {
-          Bytes piece = reply;
-          piece[7] = static_cast<uint8_t>(std::min<size_t>(size, whole.size() - at));
-          piece[11] = static_cast<uint8_t>(at);
-          piece[12] = static_cast<uint8_t>(at >> 8);
-          piece.insert(piece.end(), whole.begin() + static_cast<long>(at),
-                       whole.begin() + static_cast<long>(at + piece[7]));
-          if (request[6] == 5) {
-            reply = piece;
-            return before;
-          }
-          before.push_back(piece);
-          put(reply, 3, static_cast<uint16_t>(word(reply, 3) + 1));
-        }
-        refuse(reply, 6);
-        return before;
+        before.push_back(piece);
+        put(reply, 3, static_cast<uint16_t>(word(reply, 3) + 1));
       }
-      case 7:
-        if (!isOpen_ || !writes_) {
-          refuse(reply, isOpen_ ? 1 : 10);
-          return before;
-        }
-        if (data_.size() < offset + size) data_.resize(offset + size, 0);
-        memcpy(data_.data() + offset, request.data() + kFrameHead, size);
-        reply[11] = request[11];
-        reply[12] = request[12];
-        return before;
-      default: refuse(reply, 1); return before;
+      refuse(reply, 6);
     }
+    return before;
   }
 
   // x, y and z of an item whose command has none are those of the item before.

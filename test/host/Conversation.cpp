@@ -15,11 +15,6 @@ using namespace mavmission;
 
 namespace {
 
-const char* const kMissionResults[] = {
-    "accepted",  "error",           "unsupported frame", "unsupported",      "no space",
-    "invalid",   "invalid param 1", "invalid param 2",   "invalid param 3",  "invalid param 4",
-    "invalid x", "invalid y",       "invalid param 7",   "invalid sequence", "denied",
-    "cancelled"};
 const char* const kCommandResults[] = {"accepted",    "rejected",  "denied",    "unsupported", "failed",
                                        "in progress", "cancelled", "long only", "int only",    "frame"};
 const char* const kTypes[] = {"mission", "fence", "rally"};

@@ -17,13 +17,7 @@ FrameParts countParts(uint16_t items, mavmission::PlanType type, uint32_t opaque
 FrameParts itemParts(uint16_t seq, const mavmission::MissionItem& item, mavmission::PlanType type,
                      uint8_t targetSystem) {
   mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
-  message.param1 = item.param1;
-  message.param2 = item.param2;
-  message.param3 = item.param3;
-  message.param4 = item.param4;
-  message.x = item.x;
-  message.y = item.y;
-  message.z = item.z;
+  memcpy(static_cast<void*>(&message), &item, 28);  // param1 to z lie alike in both
   message.seq = seq;
   message.command = item.command;
   message.target_system = targetSystem;

@@ -15,7 +15,7 @@ namespace steered {
 // HEARTBEAT.custom_mode.
 enum : uint32_t { kStabilize = 0, kAuto = 3, kGuided = 4, kLoiter = 5, kRtl = 6, kLand = 9 };  // ArduCopter
 enum : uint32_t { kPlaneAuto = 10, kPlaneRtl = 11, kPlaneGuided = 15, kPlaneQRtl = 21 };
-enum : uint32_t { kRoverHold = 4, kRoverAuto = 10, kRoverGuided = 15 };
+enum : uint32_t { kRoverAuto = 10, kRoverGuided = 15 };
 constexpr uint32_t ofPx4(uint32_t main, uint32_t sub) { return main << 16 | sub << 24; }
 enum : uint32_t {
   kPx4Position = ofPx4(3, 0),
