@@ -10,11 +10,11 @@ Status AnsweringPeer::end(uint32_t limitMs) {
   return ended;
 }
 
-bool AnsweringPeer::passUntil(const std::string& words, uint32_t limitMs) {
+bool AnsweringPeer::passUntil(const std::string& words, size_t from, uint32_t limitMs) {
   for (size_t next = said_.size(); limitMs != 0; --limitMs) {
     one();
     for (; next < said_.size(); ++next) {
-      if (said_[next].compare(0, words.size(), words) == 0) return true;
+      if (said_[next].compare(from, words.size(), words) == 0) return true;
     }
   }
   return false;
@@ -39,6 +39,10 @@ std::string AnsweringPeer::said() {
 void AnsweringPeer::say(const std::string& words) {
   said_.push_back(words);
   saidMs.push_back(nowMs());
+}
+
+void AnsweringPeer::passDue() {
+  for (auto due = due_.begin(); due != due_.end() && due->first <= nowMs(); due = due_.erase(due)) due->second();
 }
 
 int AnsweringPeer::resultOf(int request) {

@@ -1,6 +1,7 @@
 // A peer that looks every millisecond for what a client asks, answers it, and says in words what it was.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -26,7 +27,7 @@ class AnsweringPeer : public ClientOnLine {
   // Until the operation has ended; with what.
   mavmission::Status end(uint32_t limitMs = 60000);
   // Until this, or what begins so, has been asked for; false if it is not.
-  bool passUntil(const std::string& words, uint32_t limitMs = 20000);
+  bool passUntil(const std::string& words, uint32_t limitMs = 20000) { return passUntil(words, 0, limitMs); }
   // Until a frame of this message has left; false if none does. `sent` begins anew.
   bool passUntilSent(uint16_t messageId, uint32_t limitMs = 20000);
   // What was asked for since the last call.
@@ -39,8 +40,16 @@ class AnsweringPeer : public ClientOnLine {
   // A millisecond.
   virtual void one() = 0;
   void say(const std::string& words);
+  // So many ms from now this happens: with the next passDue() then.
+  void in(uint32_t ms, const std::function<void()>& what) { due_.insert({nowMs() + ms, what}); }
+  void passDue();
+  // As passUntil(), of words without so many letters in front.
+  bool passUntil(const std::string& words, size_t from, uint32_t limitMs);
   // What becomes of a request.
   int resultOf(int request);
 
   std::vector<std::string> said_;
+
+ private:
+  std::multimap<uint32_t, std::function<void()>> due_;
 };

@@ -92,28 +92,30 @@ void FilePilot::beat() {
 
 void FilePilot::reply(uint16_t number, uint8_t inSession, uint8_t opcode, uint8_t requested, uint32_t offset,
                       const Bytes& data, bool isComplete) {
-  Bytes payload = {0,
-                   1,
-                   191,
-                   static_cast<uint8_t>(number),
-                   static_cast<uint8_t>(number >> 8),
-                   inSession,
-                   opcode,
-                   static_cast<uint8_t>(data.size()),
-                   requested,
-                   static_cast<uint8_t>(isComplete ? 1 : 0),
-                   0};
-  for (int shift = 0; shift < 32; shift += 8) payload.push_back(static_cast<uint8_t>(offset >> shift));
-  hear(FrameParts(110, payload + data, 84));
+  mavmission::detail::FileFrame frame = mavmission::detail::FileFrame();
+  frame.system = 1;
+  frame.component = 191;
+  frame.sequence = number;
+  frame.session = inSession;
+  frame.opcode = opcode;
+  frame.size = static_cast<uint8_t>(data.size());
+  frame.requested = requested;
+  frame.isBurstComplete = isComplete;
+  frame.offset = offset;
+  Bytes payload = ::bytesOf(frame);
+  payload.resize(frame.kHead);
+  hear(FrameParts(MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, payload + data));
+}
+
+void FilePilot::replyIn(uint32_t ms, uint16_t number, uint8_t opcode, uint8_t requested, uint32_t offset,
+                        const Bytes& data) {
+  const uint8_t inSession = session;
+  in(ms, [=] { reply(number, inSession, opcode, requested, offset, data); });
 }
 
 void FilePilot::one() {
   if (nowMs() % 1000 == 0) beat();
-  while (!due_.empty() && due_.begin()->first <= nowMs()) {
-    const Due due = due_.begin()->second;
-    due_.erase(due_.begin());
-    reply(due.number, due.session, due.opcode, due.requested, due.offset, due.data, due.isComplete);
-  }
+  passDue();
   const size_t before = sent.size();
   run(1);
   for (size_t i = before; i < sent.size(); ++i) {
@@ -169,16 +171,12 @@ ItemSource FilePilot::sourceOf(const Plan& plan) {
   return mavmission::inRam(plan.data(), static_cast<uint32_t>(plan.size()));
 }
 
-uint32_t FilePilot::longAt(const Bytes& bytes, size_t at) {
-  return static_cast<uint32_t>(bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16) |
-         static_cast<uint32_t>(bytes[at + 3]) << 24;
-}
-
 void FilePilot::react(const Bytes& request) {
-  sequence = static_cast<uint16_t>(request[3] | request[4] << 8);
-  session = request[5];
-  const uint8_t opcode = request[6], size = request[7];
-  const uint32_t offset = longAt(request, 11);
+  const mavmission::detail::FileFrame frame = messageIn<mavmission::detail::FileFrame>(request);
+  sequence = frame.sequence;
+  session = frame.session;
+  const uint8_t opcode = frame.opcode, size = frame.size;
+  const uint32_t offset = frame.offset;
   const Bytes data(request.begin() + 15, request.begin() + 15 + size);
   const std::string range = std::to_string(offset) + "+" + std::to_string(size);
   std::string words;
@@ -191,17 +189,14 @@ void FilePilot::react(const Bytes& request) {
     case kWrite: words = "write " + range; break;
     default: words = "?";
   }
-  const bool isClean = request[0] == 0 && request[8] == 0 && request[9] == 0 && request[10] == 0;
-  if (request[1] != 1 || request[2] != 1 || !isClean) words += " !";
+  const bool isClean = (frame.network | frame.requested | frame.isBurstComplete | frame.padding) == 0;
+  if (frame.system != 1 || frame.component != 1 || !isClean) words += " !";
   if (opcode == kOpen || opcode == kCreate) type = data[9] == 'm' ? 0 : data[9] == 'f' ? 1 : 2;
   say(words);
   const int result = resultOf(opcode);
   if (result == kUnheard) return;
   const uint16_t number = static_cast<uint16_t>(sequence + 1);
-  if (result > 0) {
-    in(delayMs, {number, session, 129, opcode, offset, {static_cast<uint8_t>(result)}, false});
-    return;
-  }
+  if (result > 0) return replyIn(delayMs, number, 129, opcode, offset, {static_cast<uint8_t>(result)});
   Bytes answer;
   switch (opcode) {
     case kOpen: answer = {0, 0, 0, 0}; break;
@@ -217,7 +212,7 @@ void FilePilot::react(const Bytes& request) {
       return;
     default: break;
   }
-  if (result != kSilent) in(delayMs, {number, session, 128, opcode, offset, answer, false});
+  if (result != kSilent) replyIn(delayMs, number, 128, opcode, offset, answer);
 }
 
 std::string FilePilot::fileOf(const Bytes& path) {
@@ -247,11 +242,11 @@ void FilePilot::burst(uint16_t number, uint32_t offset) {
   uint32_t ms = delayMs;
   const size_t end = file().size();
   for (; offset < end; offset += 38, ms += 5) {
-    if (offset != 10u + 38u * lostItem) in(ms, {number, session, 128, kBurst, offset, part(offset, 38), false});
+    if (offset != 10u + 38u * lostItem) replyIn(ms, number, 128, kBurst, offset, part(offset, 38));
     ++number;
   }
   lostItem = 0xFFFF;
-  in(ms, {number, session, 129, kBurst, offset, {6}, false});  // MAV_FTP_ERR_EOF
+  replyIn(ms, number, 129, kBurst, offset, {6});  // MAV_FTP_ERR_EOF
 }
 
 void FilePilot::store() {

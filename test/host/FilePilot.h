@@ -10,6 +10,7 @@
 #include "AnsweringPeer.h"
 #include "PlanFrames.h"
 #include "mavmission/base/MavlinkHeaders.h"
+#include "mavmission/files/FileFrame.h"
 
 class FilePilot : public AnsweringPeer {
  public:
@@ -103,20 +104,10 @@ class FilePilot : public AnsweringPeer {
   static bool take(void* pilot, uint16_t index, const mavmission::MissionItem& item);
 
  private:
-  struct Due {
-    uint16_t number;
-    uint8_t session, opcode, requested;
-    uint32_t offset;
-    Bytes data;
-    bool isComplete;
-  };
-
   // The same autopilot, with an operation begun.
   FilePilot& having(mavmission::Status) { return *this; }
   void one() override;
-  void in(uint32_t ms, const Due& due) { due_.insert({nowMs() + ms, due}); }
-
-  static uint32_t longAt(const Bytes& bytes, size_t at);
+  void replyIn(uint32_t ms, uint16_t number, uint8_t opcode, uint8_t requested, uint32_t offset, const Bytes& data);
   static std::string fileOf(const Bytes& path);
 
   void react(const Bytes& request);
@@ -134,7 +125,6 @@ class FilePilot : public AnsweringPeer {
   bool isFirst_ = false;
   uint16_t itemsToTake_ = 0;
   Bytes written_;
-  std::multimap<uint32_t, Due> due_;
 };
 
 // That is found already, and has no file open.

@@ -75,17 +75,6 @@ void Aircraft::forget() {
   ended = mavmission::Status::Idle;
 }
 
-bool Aircraft::passUntil(uint16_t command, uint32_t limitMs) {
-  const std::string number = std::to_string(command) + " ";
-  for (size_t next = said_.size(); limitMs != 0; --limitMs) {
-    one();
-    for (; next < said_.size(); ++next) {
-      if (said_[next].compare(1, number.size(), number) == 0) return true;
-    }
-  }
-  return false;
-}
-
 void Aircraft::beat() {
   const uint8_t baseMode = isArmed ? 1 | 128 : 1;
   hear(heartbeatParts(isPx4_ ? kPx4 : kArduPilot, baseMode, mode, type, state));
@@ -124,23 +113,11 @@ void Aircraft::tellLanded() {
 void Aircraft::one() {
   if (beatsBySecond && nowMs() % 1000 == 0) beat();
   if (positions_ && hasPosition && nowMs() % 500 == 20) tellPosition();
-  for (auto due = due_.begin(); due != due_.end() && due->first <= nowMs(); due = due_.erase(due)) {
-    switch (due->second.what) {
-      case Beat: beat(); break;
-      case Position: tellPosition(); break;
-      case Landed: tellLanded(); break;
-      case Home: tell(242, mavlink_home_position_t(), 104); break;
-      case Answer: answer(due->second.command, due->second.result); break;
-    }
-  }
+  passDue();
   const size_t before = sent.size();
   loop();
   run(1);
   for (size_t i = before; i < sent.size(); ++i) react(sent[i]);
-}
-
-void Aircraft::in(uint32_t ms, What what, uint16_t command, uint8_t result) {
-  due_.insert({nowMs() + ms, Due{what, command, result}});
 }
 
 void Aircraft::react(const SentFrame& frame) {
@@ -164,22 +141,22 @@ void Aircraft::react(const SentFrame& frame) {
   if (command == 512 && param[0] == 0) {
     ++asks;
     if (!beatsWhenAsked) return;
-    in(24, Answer, 512);
-    in(25, Beat);
+    in(24, [this] { answer(512, 0); });
+    in(25, [this] { beat(); });
     return;
   }
   say(text);
   const int result = resultOf(command);
   if (result == kUnheard) return;
   if (result == 0 || result == kSilent) carryOut(command, param);
-  if (result >= 0) in(30, Answer, command, static_cast<uint8_t>(result));
+  if (result >= 0) in(30, [this, command, result] { answer(command, static_cast<uint8_t>(result)); });
 }
 
 void Aircraft::carryOut(uint16_t command, const float* param) {
   switch (command) {
     case 512:
-      if (param[0] == 245.f && hasLanded) in(31, Landed);
-      if (param[0] == 242.f && hasHome) in(31, Home);
+      if (param[0] == 245.f && hasLanded) in(31, [this] { tellLanded(); });
+      if (param[0] == 242.f && hasHome) in(31, [this] { tell(242, mavlink_home_position_t(), 104); });
       break;
     case 511: positions_ = true; break;
     case 176:

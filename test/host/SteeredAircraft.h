@@ -89,7 +89,9 @@ class Aircraft : public AnsweringPeer {
   void forget();
 
   // Until this command has been sent; false if it is not.
-  bool passUntil(uint16_t command, uint32_t limitMs = 20000);
+  bool passUntil(uint16_t command, uint32_t limitMs = 20000) {
+    return AnsweringPeer::passUntil(std::to_string(command) + " ", 1, limitMs);
+  }
   using AnsweringPeer::passUntil;
 
   uint32_t asks = 0;  // for heartbeats, which are not said
@@ -107,25 +109,15 @@ class Aircraft : public AnsweringPeer {
   }
 
  private:
-  enum What : uint8_t { Beat, Position, Landed, Home, Answer };
-  struct Due {
-    What what;
-    uint16_t command;
-    uint8_t result;
-  };
-
   // The same aircraft, with an order begun.
   Aircraft& having(mavmission::Status) { return *this; }
   void one() override;
-  void in(uint32_t ms, What what, uint16_t command = 0, uint8_t result = 0);
-
   void react(const SentFrame& frame);
 
   void carryOut(uint16_t command, const float* param);
 
   bool isPx4_;
   bool positions_ = false;
-  std::multimap<uint32_t, Due> due_;
 };
 
 }  // namespace steered
