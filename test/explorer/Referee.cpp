@@ -86,10 +86,10 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
     sinceSentMs = 0;
     return nullptr;
   }
-  if (isUpload() && !isReading && message.kind == Kind::List) {
+  if (isUploading() && message.kind == Kind::List) {
     if (task.operation == Operation::Upload) return "the plan is read back unasked";
     if (!isLastSent && items != 0) return "the plan is read back before the last item was sent";
-    const bool isRefused = (heardAcks & (1u << kError)) != 0;
+    const bool isRefused = hasHeard(kError);
     const uint8_t goesOn = mayGoOn;
     goOn();
     wasRefused = isRefused;
@@ -109,8 +109,7 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
   }
   if (isCancel && !isPx4(firmware) && !mayFree) return "a running transfer is cancelled";
   // What has given the upload up on a lossy link gets it anew.
-  if (isGeneric(firmware) && isUpload() && !isReading && message.kind == Kind::Count && asked != 0 && isHurried &&
-      isGivenUp()) {
+  if (isGeneric(firmware) && isUploading() && message.kind == Kind::Count && asked != 0 && isHurried && isGivenUp()) {
     counts = asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
     heardAcks = 0;
   }
@@ -184,8 +183,7 @@ const char* Referee::sentInReading(const Message& message, Firmwares firmware) {
         isCounted = lists = received = requests = underWay = 0;
         heardAcks = static_cast<uint16_t>(heardAcks & 1u);
       }
-      if (task.operation == Operation::Clear && (heardAcks & 1u) == 0)
-        return "it is asked before CLEAR_ALL is accepted";
+      if (task.operation == Operation::Clear && !hasHeard(kAccepted)) return "it is asked before CLEAR_ALL is accepted";
       if (isCounted) return "REQUEST_LIST is sent in mid-transfer";
       if (isLooking && lists == kTries && heardAcks != 0) lists = heardAcks = 0;  // it was refused, and asks anew
       if (lists == kTries && !isHurried) return "REQUEST_LIST is sent too often";
@@ -224,7 +222,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
   if (!isRunning) return;
   if (message.type != task.type) {
     // The autopilot waits for the items of an upload of before, and is told that there are none.
-    if (message.kind == Kind::Request && isUpload() && !isReading) owesCancel = static_cast<uint8_t>(1 + message.type);
+    if (message.kind == Kind::Request && isUploading()) owesCancel = static_cast<uint8_t>(1 + message.type);
     return;
   }
   if (message.kind == Kind::Ack && !hasSent) return;  // it answers something before
@@ -251,14 +249,14 @@ void Referee::heard(const Message& message, Firmwares firmware) {
     case Kind::Ack:
       heardAcks = static_cast<uint16_t>(heardAcks | 1u << message.number);
       // What was sent twice since it was asked for, so long ago that this is no answer to anything before: it is there.
-      if (isUpload() && !isReading && isArduPilot(firmware) && message.number == kInvalidSequence && copies == 2 &&
+      if (isUploading() && isArduPilot(firmware) && message.number == kInvalidSequence && copies == 2 &&
           sinceFirstMs == kLastAnswerMs && current != 0 && current < items) {
         isPresumed = true;
       }
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
       // It has gone on with a shorter plan of before.
       if (isUpload() && isPx4(firmware) && message.number == kAccepted && !isLastSent && items != 0) mayFree = true;
-      if (isUpload() && !isReading && isPx4(firmware) && message.number == kError && isUnasked && !isLastSent &&
+      if (isUploading() && isPx4(firmware) && message.number == kError && isUnasked && !isLastSent &&
           sinceNewMs >= kLateErrorMs) {
         isOver = true;
       }
@@ -344,7 +342,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   switch (status) {
     case Status::Accepted:
       if (!isUpload()) return "an end that this operation does not have";
-      if ((heardAcks & 1) == 0 && !isClosed) return "Accepted, and nothing was acknowledged";
+      if (!hasHeard(kAccepted) && !isClosed) return "Accepted, and nothing was acknowledged";
       if ((task.operation == Operation::UploadVerified || (isGeneric(autopilot.firmware) && items != 0)) && !isClosed)
         return "Accepted, and not read back";
       if (isLooking) return "Accepted, and nothing was uploaded";
@@ -375,7 +373,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
 
     case Status::Cleared:
       if (task.operation != Operation::Clear) return "an end that this operation does not have";
-      if ((heardAcks & 1) == 0) return "Cleared, and nothing was acknowledged";
+      if (!hasHeard(kAccepted)) return "Cleared, and nothing was acknowledged";
       return autopilot.heldCount == 0 ? nullptr : "Cleared, and a plan is aboard";
 
     case Status::Unconfirmed: {
@@ -385,13 +383,12 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (!isUpload() || (!isLastSent && !isReading && items != 0)) return "Unconfirmed before the last item was sent";
       if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
       const bool isExhausted = sinceNewMs >= kConfirmingMs;
-      const bool isIdle = (heardAcks & (1u << kError)) != 0 ||
-                          (isGeneric(autopilot.firmware) && (heardAcks & (1u << kInvalidSequence)) != 0);
+      const bool isIdle = hasHeard(kError) || (isGeneric(autopilot.firmware) && hasHeard(kInvalidSequence));
       // Of an empty plan any acceptance looks like the answer; PX4 accepts an item again for an older upload; what
       // requests items beyond the plan has another one.
       const bool isNoProof = (isGeneric(autopilot.firmware) || items == 0 || mayFree || hasOther ||
                               (isPx4(autopilot.firmware) && isUnasked)) &&
-                             (heardAcks & (1u << kAccepted)) != 0;
+                             hasHeard(kAccepted);
       return isExhausted || isIdle || isNoProof ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 
@@ -407,17 +404,17 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     case Status::TimedOut:
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
       // An error to a repeat says that there is no transfer any more.
-      if (asked != 0 && copies == 2 && (heardAcks & (1u << kError)) != 0) return nullptr;
+      if (asked != 0 && copies == 2 && hasHeard(kError)) return nullptr;
       if (asked != 0 && isGeneric(autopilot.firmware) && isGivenUp()) return nullptr;
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
     case Status::Cancelled: return nullptr;
 
     case Status::OtherPlanAboard:
-      if (!isPx4(autopilot.firmware) || (heardAcks & 1) == 0) return "OtherPlanAboard, and nothing was accepted";
+      if (!isPx4(autopilot.firmware) || !hasHeard(kAccepted)) return "OtherPlanAboard, and nothing was accepted";
       return isMeant ? "OtherPlanAboard, and the plan aboard is the plan meant" : nullptr;
 
-    case Status::AcceptedEarly: return (heardAcks & 1) != 0 ? nullptr : "AcceptedEarly, and nothing was accepted";
+    case Status::AcceptedEarly: return hasHeard(kAccepted) ? nullptr : "AcceptedEarly, and nothing was accepted";
 
     default: break;
   }
@@ -428,16 +425,16 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     // Nor does ArduPilot answer a reading with an error while its plan stays the same.
     if (task.operation == Operation::Verify && result == kError && !isPx4(autopilot.firmware) && !lineRepeats)
       return "a reading ends by an answer that is another's";
-    const bool isProven = isReading && result == kError && wasRefused;     // what was read back was not the plan
-    const bool wasHeard = (heardAcks & (1u << result)) != 0 || isLooking;  // a look asks anew behind a refusal
+    const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
+    const bool wasHeard = hasHeard(result) || isLooking;                // a look asks anew behind a refusal
     if (!wasHeard && !isProven) return "a refusal that the autopilot did not send";
     // With what this client has read. PX4 gives that up by itself before all tries are used up.
-    const bool isBusy = isUpload() && !isReading && result == kError && isPx4(autopilot.firmware) && asked == 0 &&
+    const bool isBusy = isUploading() && result == kError && isPx4(autopilot.firmware) && asked == 0 &&
                         hasEndedBefore && autopilot.state == Autopilot::State::Sending;
     if (isBusy && counts != kTries) return "busy with what was ours, and the tries were not exhausted";
     // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading
     // back.
-    if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
+    if (isUploading() && result == kError && lineRepeats) return nullptr;
     if (isUpload() && !isLooking && isMeant) return "a refusal, and the plan is aboard";
     const bool isOurs =
         autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);

@@ -102,12 +102,13 @@ struct Referee {
   const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                   const Autopilot* before, bool lineRepeats);
   bool isUpload() const { return task.operation <= Operation::Ensure; }
+  bool isUploading() const { return isUpload() && !isReading; }  // and not reading what is aboard
 
  private:
+  // An ACK with this result.
+  bool hasHeard(uint8_t result) const { return (heardAcks & (1u << result)) != 0; }
   // By what was heard, or by the silence: an unknown server has no transfer any more.
-  bool isGivenUp() const {
-    return (heardAcks & (1u << kInvalidSequence | 1u << kCancelled)) != 0 || sinceNewMs >= kSilenceMs;
-  }
+  bool isGivenUp() const { return hasHeard(kInvalidSequence) || hasHeard(kCancelled) || sinceNewMs >= kSilenceMs; }
   uint16_t againMs(uint16_t otherwiseMs) const { return isHurried ? kHurriedMs : otherwiseMs; }
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                            const Autopilot* before) const;

@@ -92,7 +92,7 @@ void Aircraft::tellPosition() {
   message.lon = here.longitude.e7();
   message.alt = seaMm;
   message.relative_alt = homeMm;
-  tell(33, message, 104);
+  hear(FrameParts(MAVLINK_MSG_ID_GLOBAL_POSITION_INT, message));
 }
 
 void Aircraft::tellTarget(int32_t latitude, int32_t longitude, float altitude) {
@@ -100,14 +100,14 @@ void Aircraft::tellTarget(int32_t latitude, int32_t longitude, float altitude) {
   message.lat_int = latitude;
   message.lon_int = longitude;
   message.alt = altitude;
-  tell(87, message, 150);
+  hear(FrameParts(MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT, message));
 }
 
 void Aircraft::tellLanded() {
   mavlink_extended_sys_state_t message = mavlink_extended_sys_state_t();
   message.landed_state = landed;
   message.vtol_state = vtol;
-  tell(245, message, 130);
+  hear(FrameParts(MAVLINK_MSG_ID_EXTENDED_SYS_STATE, message));
 }
 
 void Aircraft::one() {
@@ -156,7 +156,8 @@ void Aircraft::carryOut(uint16_t command, const float* param) {
   switch (command) {
     case 512:
       if (param[0] == 245.f && hasLanded) in(31, [this] { tellLanded(); });
-      if (param[0] == 242.f && hasHome) in(31, [this] { tell(242, mavlink_home_position_t(), 104); });
+      if (param[0] == 242.f && hasHome)
+        in(31, [this] { hear(FrameParts(MAVLINK_MSG_ID_HOME_POSITION, mavlink_home_position_t())); });
       break;
     case 511: positions_ = true; break;
     case 176:

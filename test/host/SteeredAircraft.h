@@ -103,10 +103,6 @@ class Aircraft : public AnsweringPeer {
   void tellTarget(int32_t latitude, int32_t longitude, float altitude);
   void tellLanded();
   void answer(uint16_t command, uint8_t result) { hear(commandAckParts(command, result)); }
-  template <typename Message>
-  void tell(uint16_t id, const Message& message, uint8_t crcExtra) {
-    hear(FrameParts(id, message, crcExtra));
-  }
 
  private:
   // The same aircraft, with an order begun.
