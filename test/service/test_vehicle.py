@@ -1,6 +1,6 @@
 """A Vehicle and the listeners beside it: what real autopilots sent, and the names of modes.
 
-host/units has each number and each word of each listener (vehicle_listeners.cpp, fitness_listeners.cpp,
+host/units has each number and each word of each listener (listener_values.cpp, fitness_listeners.cpp,
 telemetry_listeners.cpp, text_listener.cpp).
 """
 

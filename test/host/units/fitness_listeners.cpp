@@ -1,172 +1,145 @@
 // The listeners that judge whether an aircraft is fit: at which number the word changes.
 #include <doctest/doctest.h>
-#include <string.h>
 
-#include <initializer_list>
-#include <limits>
+#include <string>
 
-#include "ClientOnLine.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
 namespace {
 
-constexpr uint16_t kGood = 0x033F;  // all that a place needs
-constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr uint8_t kArmed = 128;
+constexpr uint8_t kArduPilot = ClientOnLine::kArduPilot, kPx4 = ClientOnLine::kPx4;
 
-// The next smaller float.
-float below(float value) {
-  uint32_t bits;
-  memcpy(&bits, &value, sizeof(bits));
-  --bits;
-  memcpy(&value, &bits, sizeof(value));
-  return value;
+std::string nameOf(FitReason reason) {
+#define MAVMISSION_NAME(name, text) #name,
+  static const char* const kNames[] = {MAVMISSION_FIT_REASONS(MAVMISSION_NAME)};
+#undef MAVMISSION_NAME
+  return kNames[static_cast<uint8_t>(reason)];
 }
 
-struct Desk : ClientOnLine {
+struct Desk : ToldClient {
   HealthListener health;
   EstimatorListener estimator;
   VibrationListener vibration;
+  const std::string estimates;  // the message of its estimator
 
   explicit Desk(uint8_t autopilot = kArduPilot)
-      : ClientOnLine(autopilot), health(client, 0), estimator(client, 0), vibration(client, 0) {
+      : ToldClient(autopilot),
+        health(client, 0),
+        estimator(client, 0),
+        vibration(client, 0),
+        estimates(autopilot == kArduPilot ? "EKF_STATUS_REPORT" : "ESTIMATOR_STATUS hagl_ratio 5") {
     run(3500);
   }
 
-  template <typename Message>
-  void tell(uint16_t id, uint8_t crcExtra, const Message& message, size_t length = sizeof(Message)) {
-    Bytes payload(length);
-    memcpy(payload.data(), &message, length);
-    hear(FrameParts(id, payload, crcExtra));
-    while (!line.toRead.empty()) run(1);
+  // What is said now: "AllWell, 50 %", "Vibration, 3000 cm/s^2", "NotReady, failed 8".
+  std::string estimated() const {
+    return nameOf(estimator.reason()) + ", " + std::to_string(estimator.worstPercent()) + " %";
   }
-  // EKF_STATUS_REPORT: velocity, place across, height, compass, height of the ground.
-  FitReason ekf(std::initializer_list<float> variances, uint16_t flags = kGood) {
-    uint8_t payload[22] = {};
-    memcpy(payload, variances.begin(), variances.size() * sizeof(float));
-    memcpy(payload + 20, &flags, sizeof(flags));
-    tell(193, 71, payload);
-    return estimator.reason();
+  std::string vibrates() const {
+    return nameOf(vibration.reason()) + ", " + std::to_string(vibration.worstCmS2()) + " cm/s^2";
   }
-  // ESTIMATOR_STATUS: velocity, place, height, compass.
-  FitReason status(std::initializer_list<float> ratios, uint16_t flags = kGood) {
-    mavlink_estimator_status_t message = mavlink_estimator_status_t();
-    float four[4] = {};
-    memcpy(four, ratios.begin(), ratios.size() * sizeof(float));
-    message.vel_ratio = four[0];
-    message.pos_horiz_ratio = four[1];
-    message.pos_vert_ratio = four[2];
-    message.mag_ratio = four[3];
-    message.hagl_ratio = 5;  // over the ground: not what is judged
-    message.flags = flags;
-    tell(MAVLINK_MSG_ID_ESTIMATOR_STATUS, MAVLINK_MSG_ID_ESTIMATOR_STATUS_CRC, message);
-    return estimator.reason();
+  std::string checked() const { return nameOf(health.reason()) + ", failed " + std::to_string(health.failedSensors()); }
+  // The same after such a message. All that a place needs is there, unless the flags follow.
+  std::string estimated(const std::string& words) {
+    tell(estimates + " flags 0x33F " + words);
+    return estimated();
   }
-  FitReason vibrate(float x, float y, float z, uint32_t clipping0 = 0, uint32_t clipping1 = 0, uint32_t clipping2 = 0) {
-    mavlink_vibration_t message = mavlink_vibration_t();
-    message.vibration_x = x;
-    message.vibration_y = y;
-    message.vibration_z = z;
-    message.clipping_0 = clipping0;
-    message.clipping_1 = clipping1;
-    message.clipping_2 = clipping2;
-    tell(MAVLINK_MSG_ID_VIBRATION, MAVLINK_MSG_ID_VIBRATION_CRC, message);
-    return vibration.reason();
+  std::string vibrates(const std::string& words) {
+    tell("VIBRATION " + words);
+    return vibrates();
   }
-  FitReason sensors(uint32_t enabled, uint32_t healthy, uint16_t load = 0) {
-    mavlink_sys_status_t message = mavlink_sys_status_t();
-    message.onboard_control_sensors_enabled = enabled;
-    message.onboard_control_sensors_health = healthy;
-    message.load = load;
-    tell(MAVLINK_MSG_ID_SYS_STATUS, MAVLINK_MSG_ID_SYS_STATUS_CRC, message, MAVLINK_MSG_ID_SYS_STATUS_MIN_LEN);
-    return health.reason();
+  std::string checked(uint32_t enabled, uint32_t healthy) {
+    tell("SYS_STATUS load 321 onboard_control_sensors_enabled " + std::to_string(enabled) +
+         " onboard_control_sensors_health " + std::to_string(healthy));
+    return checked();
   }
   void arm() {
     beats = false;
-    hear(heartbeatParts(kArduPilot, kArmed));
-    run(1);
+    tell(heartbeatParts(kArduPilot, MAV_MODE_FLAG_SAFETY_ARMED));
   }
 };
 
+constexpr uint32_t kChecks = MAV_SYS_STATUS_PREARM_CHECK;
+
 }  // namespace
 
-TEST_CASE("a message says something for 10.000 s, and nothing a millisecond later") {
+TEST_CASE("a message says something for 10.000 s, and nothing a millisecond later, or before") {
   Desk desk;
-  CHECK((desk.ekf({0.1f}) == FitReason::AllWell));
-  CHECK((desk.vibrate(1, 1, 1) == FitReason::AllWell));
-  CHECK((desk.sensors(MAV_SYS_STATUS_PREARM_CHECK, MAV_SYS_STATUS_PREARM_CHECK) == FitReason::AllWell));
-  desk.run(9998);
-  CHECK(desk.estimator.ageMs() == 10000);
-  CHECK((desk.estimator.reason() == FitReason::AllWell));
+  CHECK(desk.checked() == "NotHeard, failed 0");
+  CHECK(desk.estimated() == "NotHeard, 0 %");
+  CHECK(desk.vibrates() == "NotHeard, 0 cm/s^2");
+  CHECK((desk.vibration.fitness() == Fitness::Unknown));
+  desk.estimated("velocity_variance 0.4");
+  desk.vibrates("vibration_x 1");
+  desk.checked(kChecks, kChecks);
+  desk.run(10000 - desk.estimator.ageMs());
+  CHECK(desk.estimated() == "AllWell, 50 %");
   CHECK((desk.estimator.fitness() == Fitness::Fit));
   desk.run(1);
-  CHECK((desk.estimator.reason() == FitReason::NotHeard));
+  CHECK(desk.estimated() == "NotHeard, 50 %");
   CHECK((desk.estimator.fitness() == Fitness::Unknown));
-  CHECK((desk.vibration.reason() == FitReason::AllWell));
+  CHECK(desk.vibrates() == "AllWell, 100 cm/s^2");
+  CHECK(desk.checked() == "AllWell, failed 0");
+  desk.run(10000 - desk.vibration.ageMs());
+  CHECK(desk.vibrates() == "AllWell, 100 cm/s^2");
   desk.run(1);
-  CHECK((desk.vibration.reason() == FitReason::NotHeard));
-  CHECK((desk.health.reason() == FitReason::AllWell));
-  desk.run(1);
-  CHECK((desk.health.reason() == FitReason::NotHeard));
-}
-
-TEST_CASE("a listener that has heard nothing says so, and judges nothing") {
-  Desk desk;
-  CHECK((desk.health.reason() == FitReason::NotHeard));
-  CHECK((desk.estimator.reason() == FitReason::NotHeard));
-  CHECK((desk.vibration.reason() == FitReason::NotHeard));
-  CHECK((desk.vibration.fitness() == Fitness::Unknown));
+  CHECK(desk.vibrates() == "NotHeard, 100 cm/s^2");
+  desk.run(10001 - desk.health.ageMs());
+  CHECK(desk.checked() == "NotHeard, failed 0");
 }
 
 TEST_CASE("the limit of a sensor's disagreement is 0.8 on ArduPilot, and 1.0 on PX4, for each of four sensors") {
-  for (size_t sensor = 0; sensor < 4; ++sensor) {
-    CAPTURE(sensor);
-    float variances[4] = {};
-    Desk arduPilot, px4(ClientOnLine::kPx4);
-    const auto say = [&](bool isPx4, float value) {
-      variances[sensor] = value;
-      const std::initializer_list<float> all = {variances[0], variances[1], variances[2], variances[3]};
-      return isPx4 ? px4.status(all) : arduPilot.ekf(all);
-    };
-    CHECK((say(false, below(0.8f)) == FitReason::AllWell));
-    CHECK((say(false, 0.8f) == FitReason::Disagreement));
-    CHECK(arduPilot.estimator.worstPercent() == 100);
-    CHECK((say(false, 0.4f) == FitReason::AllWell));
-    CHECK(arduPilot.estimator.worstPercent() == 50);
-    CHECK((say(true, below(1.0f)) == FitReason::AllWell));
-    CHECK((say(true, 1.0f) == FitReason::Disagreement));
-    CHECK(px4.estimator.worstPercent() == 100);
-    CHECK((say(true, 0.4f) == FitReason::AllWell));
-    CHECK(px4.estimator.worstPercent() == 40);
+  const char* const kSensors[][2] = {{"velocity_variance", "vel_ratio"},
+                                     {"pos_horiz_variance", "pos_horiz_ratio"},
+                                     {"pos_vert_variance", "pos_vert_ratio"},
+                                     {"compass_variance", "mag_ratio"}};
+  for (const auto& sensor : kSensors) {
+    const std::string arduPilots = std::string(sensor[0]) + " ", px4s = std::string(sensor[1]) + " ";
+    Desk arduPilot, px4(kPx4);
+    CHECK(arduPilot.estimated(arduPilots + "0.79999995") == "AllWell, 100 %");  // the next smaller float
+    CHECK(arduPilot.estimated(arduPilots + "0.8") == "Disagreement, 100 %");
+    CHECK(arduPilot.estimated(arduPilots + "0.4") == "AllWell, 50 %");
+    CHECK(px4.estimated(px4s + "0.99999994") == "AllWell, 100 %");
+    CHECK(px4.estimated(px4s + "1") == "Disagreement, 100 %");
+    CHECK(px4.estimated(px4s + "0.4") == "AllWell, 40 %");
   }
-  Desk desk;
-  CHECK((desk.ekf({0, 0, 0, 0, 5}) == FitReason::AllWell));  // the height of the ground is not judged
-  CHECK(desk.estimator.worstPercent() == 0);
 }
 
-TEST_CASE("a disagreement is given up to 65535 %, and one without end is the same") {
+TEST_CASE("an estimator knows its place, or the word says why not, by flags and limits of each autopilot") {
   const struct {
-    float ratio;
-    uint16_t percent;
-  } kRatios[] = {{655.33f, 65533}, {655.35f, 65535}, {655.36f, 65535},
-                 {655.37f, 65535}, {1e9f, 65535},    {kInfinity, 65535}};
-  for (const auto& one : kRatios) {
-    CAPTURE(one.ratio);
-    Desk desk(ClientOnLine::kPx4);
-    CHECK((desk.status({one.ratio}) == FitReason::Disagreement));
-    CHECK(desk.estimator.worstPercent() == one.percent);
-  }
-}
-
-TEST_CASE("a number that is none, or below 0, is left out") {
-  Desk desk(ClientOnLine::kPx4);
-  uint32_t bits = 0x7F800001;  // the first one after infinity
-  float first;
-  memcpy(&first, &bits, sizeof(first));
-  CHECK((desk.status({first, kNan, -5.0f, 0.25f}) == FitReason::AllWell));
-  CHECK(desk.estimator.worstPercent() == 25);
+    uint8_t autopilot;
+    const char *words, *says;
+  } kRows[] = {
+      {kArduPilot, "terrain_alt_variance 5", "AllWell, 0 %"},  // the height of the ground is not judged
+      {kArduPilot, "flags 0x00A7", "NoPosition, 0 %"},
+      {kArduPilot, "flags 0x033B", "NoPosition, 0 %"},
+      {kArduPilot, "flags 0x033E", "NoAttitude, 0 %"},
+      {kArduPilot, "flags 0x073F", "NoAttitude, 0 %"},
+      {kArduPilot, "flags 0x833F", "GpsGlitch, 0 %"},
+      {kPx4, "flags 0x0B3F", "Disagreement, 0 %"},  // ESTIMATOR_ACCEL_ERROR
+      {kPx4, "flags 0x073F", "GpsGlitch, 0 %"},
+      {kPx4, "flags 0x833F", "AllWell, 0 %"},
+      {kPx4, "flags 0x0027", "NoPosition, 0 %"},
+      {kPx4, "flags 0", "NoAttitude, 0 %"},
+      // Up to 65535 %, and one without end is the same.
+      {kPx4, "vel_ratio 655.33", "Disagreement, 65533 %"},
+      {kPx4, "vel_ratio 655.35", "Disagreement, 65535 %"},
+      {kPx4, "vel_ratio 655.36", "Disagreement, 65535 %"},
+      {kPx4, "vel_ratio 655.37", "Disagreement, 65535 %"},
+      {kPx4, "vel_ratio 1e9", "Disagreement, 65535 %"},
+      {kPx4, "vel_ratio inf", "Disagreement, 65535 %"},
+      // A number that is none, or below 0, is left out.
+      {kPx4, "vel_ratio nan pos_horiz_ratio -nan pos_vert_ratio -5 mag_ratio 0.25", "AllWell, 25 %"},
+  };
+  for (const auto& row : kRows) CHECK(Desk(row.autopilot).estimated(row.words) == row.says);
+  // The first one after infinity is none, either.
+  Desk desk(kPx4);
+  FrameParts parts = messageParts("ESTIMATOR_STATUS vel_ratio inf mag_ratio 0.25 flags 0x33F");
+  parts.payload[offsetof(mavlink_estimator_status_t, vel_ratio)] = 1;
+  desk.tell(parts);
+  CHECK(desk.estimated() == "AllWell, 25 %");
 }
 
 TEST_CASE("an armed aircraft is unfit with a failed sensor that it needs, and only then") {
@@ -179,56 +152,58 @@ TEST_CASE("an armed aircraft is unfit with a failed sensor that it needs, and on
     Desk desk;
     desk.arm();
     const bool isNeeded = (bit & kNeeded) != 0;
-    CHECK((desk.sensors(bit, ~bit) == (isNeeded ? FitReason::SensorFailed : FitReason::AllWell)));
+    const std::string failed = ", failed " + std::to_string(bit == kChecks ? 0 : bit);
+    CHECK(desk.checked(bit, ~bit) == (isNeeded ? "SensorFailed" : "AllWell") + failed);
     CHECK((desk.health.fitness() == (isNeeded ? Fitness::Unfit : Fitness::Fit)));
-    CHECK((desk.health.failedSensors() == (bit == MAV_SYS_STATUS_PREARM_CHECK ? 0 : bit)));
-    CHECK((desk.sensors(bit, bit) == FitReason::AllWell));
-    CHECK((desk.sensors(0, ~bit) == FitReason::AllWell));  // it is not in use
+    CHECK(desk.checked(bit, bit) == "AllWell, failed 0");
+    CHECK(desk.checked(0, ~bit) == "AllWell, failed 0");  // it is not in use
   }
 }
 
-TEST_CASE("a disarmed aircraft's failed sensor is a matter of its checks, and arming is seen at once") {
+TEST_CASE("on the ground the autopilot's own checks count, and arming is seen at once") {
   Desk desk;
-  CHECK((desk.sensors(MAV_SYS_STATUS_SENSOR_GPS, MAV_SYS_STATUS_PREARM_CHECK, 321) == FitReason::AllWell));
+  CHECK(desk.checked(kChecks, kChecks) == "AllWell, failed 0");
+  CHECK(desk.checked(kChecks | 8, 0) == "NotReady, failed 8");
+  CHECK(desk.checked(MAV_SYS_STATUS_SENSOR_GPS, kChecks) == "AllWell, failed 32");
   CHECK(desk.health.loadPermille() == 321);
   desk.arm();
-  CHECK((desk.health.reason() == FitReason::SensorFailed));
-  CHECK((desk.sensors(MAV_SYS_STATUS_SENSOR_GPS, MAV_SYS_STATUS_SENSOR_GPS) == FitReason::AllWell));
+  CHECK(desk.checked() == "SensorFailed, failed 32");
+  CHECK(desk.checked(MAV_SYS_STATUS_SENSOR_GPS, MAV_SYS_STATUS_SENSOR_GPS) == "AllWell, failed 0");
+  Desk other(ClientOnLine::kOther);
+  CHECK(other.checked(0, 0) == "NotTold, failed 0");
+  CHECK(other.checked(kChecks, kChecks) == "AllWell, failed 0");
+  Desk px4(kPx4);  // it says whether it can be armed, and not that it has such checks
+  CHECK(px4.checked(0, 0) == "NotReady, failed 0");
+  CHECK(px4.checked(MAV_SYS_STATUS_SENSOR_RC_RECEIVER, kChecks) == "AllWell, failed 65536");
 }
 
 TEST_CASE("ArduPilot's limit of the vibration is 30 m/s^2 on each axis, PX4's 4.9 m/s^2 on one") {
-  for (size_t axis = 0; axis < 3; ++axis) {
-    CAPTURE(axis);
-    const auto vibrate = [axis](Desk& desk, float value) {
-      return desk.vibrate(axis == 0 ? value : 1, axis == 1 ? value : 1, axis == 2 ? value : 1);
-    };
-    Desk arduPilot, px4(ClientOnLine::kPx4);
-    CHECK((vibrate(arduPilot, below(30.0f)) == FitReason::AllWell));
-    CHECK((vibrate(arduPilot, 30.0f) == FitReason::Vibration));
-    CHECK(arduPilot.vibration.worstCmS2() == 3000);
+  for (const std::string axis : {"vibration_x", "vibration_y", "vibration_z"}) {
+    const std::string is = "vibration_x 1 vibration_y 1 vibration_z 1 " + axis + " ";
+    Desk arduPilot, px4(kPx4);
+    CHECK(arduPilot.vibrates(is + "29.999998") == "AllWell, 3000 cm/s^2");
+    CHECK(arduPilot.vibrates(is + "30") == "Vibration, 3000 cm/s^2");
     CHECK((arduPilot.vibration.fitness() == Fitness::Unfit));
-    CHECK((vibrate(px4, below(4.9f)) == FitReason::AllWell));
-    CHECK((vibrate(px4, 4.9f) == (axis == 2 ? FitReason::Vibration : FitReason::AllWell)));
-    CHECK(px4.vibration.worstCmS2() == (axis == 2 ? 490 : 100));
-    vibrate(arduPilot, 21474836.0f);
-    CHECK(arduPilot.vibration.worstCmS2() == 2147483600);
-    for (const float endless : {21474838.0f, kInfinity}) {
-      CHECK((vibrate(arduPilot, endless) == FitReason::Vibration));
-      CHECK(arduPilot.vibration.worstCmS2() == INT32_MAX);
-    }
+    const bool isJudged = axis == "vibration_z";
+    CHECK(px4.vibrates(is + "4.8999996") == (isJudged ? "AllWell, 490 cm/s^2" : "AllWell, 100 cm/s^2"));
+    CHECK(px4.vibrates(is + "4.9") == (isJudged ? "Vibration, 490 cm/s^2" : "AllWell, 100 cm/s^2"));
+    CHECK(arduPilot.vibrates(is + "21474836") == "Vibration, 2147483600 cm/s^2");
+    CHECK(arduPilot.vibrates(is + "21474838") == "Vibration, 2147483647 cm/s^2");
+    CHECK(arduPilot.vibrates(is + "inf") == "Vibration, 2147483647 cm/s^2");
   }
 }
 
 TEST_CASE("a count of clipping is no vibration, and counts where it grows") {
-  for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
+  for (uint8_t autopilot : {kArduPilot, kPx4}) {
     Desk desk(autopilot);
-    CHECK((desk.vibrate(1, 1, 1, 0x42000000, 7, 2) == FitReason::AllWell));  // as a float it would be 32
-    CHECK(desk.vibration.worstCmS2() == 100);
+    const std::string shakes = "vibration_x 1 vibration_y 1 vibration_z 1 ";
+    const std::string big = shakes + "clipping_0 0x42000000 clipping_1 7 clipping_2 ";  // as a float it would be 32
+    CHECK(desk.vibrates(big + "2") == "AllWell, 100 cm/s^2");
     CHECK(desk.vibration.clipping() == 0x42000000u + 9);
-    CHECK((desk.vibrate(1, 1, 1, 0x42000000, 7, 2) == FitReason::AllWell));
-    CHECK((desk.vibrate(1, 1, 1, 0x42000000, 7, 3) == FitReason::Clipping));
-    CHECK((desk.vibrate(1, 1, 1, 0x42000000, 7, 3) == FitReason::AllWell));
-    CHECK((desk.vibrate(1, 1, 1, 0, 1, 0) == FitReason::AllWell));  // it has restarted
-    CHECK((desk.vibrate(40, 1, 40, 0, 2, 0) == FitReason::Clipping));
+    CHECK(desk.vibrates(big + "2") == "AllWell, 100 cm/s^2");
+    CHECK(desk.vibrates(big + "3") == "Clipping, 100 cm/s^2");
+    CHECK(desk.vibrates(big + "3") == "AllWell, 100 cm/s^2");
+    CHECK(desk.vibrates(shakes + "clipping_1 1") == "AllWell, 100 cm/s^2");  // it has restarted
+    CHECK(desk.vibrates("vibration_z 40 clipping_1 2") == "Clipping, 4000 cm/s^2");
   }
 }

@@ -2,12 +2,11 @@
 #include "mavmission/service/MessageListener.h"
 
 #include <doctest/doctest.h>
-#include <string.h>
-
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "ClientOnLine.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
@@ -16,29 +15,23 @@ namespace {
 const MessageKey kOwn[] = {messageKey(4321, 77, 6), messageKey(24, 24, 30)};
 const MessageKey kOfPayload[] = {messageKey(MAVLINK_MSG_ID_COMMAND_LONG, MAVLINK_MSG_ID_COMMAND_LONG_CRC, 33)};
 
-struct Copy {
-  uint16_t id;
-  uint8_t systemId, componentId, version, length;
-  Bytes payload;
-};
-
+// What is given, "4321 of 42/77 by MAVLink 2: 1 2 3".
 void keep(void* copies, const ReceivedMessage& message) {
-  static_cast<std::vector<Copy>*>(copies)->push_back({message.id, message.systemId, message.componentId,
-                                                      message.version, message.length,
-                                                      Bytes(message.payload, message.payload + message.length)});
+  std::string copy = std::to_string(message.id) + " of " + std::to_string(message.systemId) + "/" +
+                     std::to_string(message.componentId) + " by MAVLink " + std::to_string(message.version) + ":";
+  for (uint8_t i = 0; i < message.length; ++i) copy += " " + std::to_string(message.payload[i]);
+  static_cast<std::vector<std::string>*>(copies)->push_back(copy);
 }
 
-struct Desk : ClientOnLine {
-  std::vector<Copy> copies;
-  Desk() : ClientOnLine(kArduPilot) {}
+struct Desk : ToldClient {
+  std::vector<std::string> copies;
 
   void tell(uint32_t id, uint8_t crcExtra, const Bytes& payload, uint8_t version = 2) {
     FrameParts parts(id, payload, crcExtra);
     parts.systemId = 42;
     parts.componentId = 77;
     parts.version = version;
-    hear(parts);
-    while (!line.toRead.empty()) run(1);
+    ToldClient::tell(parts);
   }
 };
 
@@ -54,19 +47,10 @@ TEST_CASE("a message of the sketch's own is given as it lies on the wire, from a
   MessageListener listener(desk.client, kOwn, keep, &desk.copies);
   desk.run(10);
   desk.tell(4321, 77, {1, 2, 3, 4, 5, 6, 7});
-  REQUIRE(desk.copies.size() == 1);
-  const Copy& copy = desk.copies[0];
-  CHECK(copy.id == 4321);
-  CHECK(copy.systemId == 42);
-  CHECK(copy.componentId == 77);
-  CHECK(copy.version == 2);
-  CHECK(copy.length == 7);
-  CHECK(copy.payload == Bytes{1, 2, 3, 4, 5, 6, 7});
+  CHECK(desk.copies == std::vector<std::string>{"4321 of 42/77 by MAVLink 2: 1 2 3 4 5 6 7"});
   desk.tell(24, 24, Bytes(30, 9), 1);
   REQUIRE(desk.copies.size() == 2);
-  CHECK(desk.copies[1].id == 24);
-  CHECK(desk.copies[1].version == 1);
-  CHECK(desk.copies[1].length == 30);
+  CHECK(desk.copies[1].substr(0, 30) == "24 of 42/77 by MAVLink 1: 9 9 ");
   desk.tell(24, 24, Bytes(29, 9), 1);       // MAVLink 1 omits nothing
   desk.tell(4321, 78, {1, 2, 3, 4, 5, 6});  // of another dialect
   desk.tell(MAVLINK_MSG_ID_ATTITUDE, MAVLINK_MSG_ID_ATTITUDE_CRC, Bytes(28, 1));
@@ -121,35 +105,22 @@ TEST_CASE("copyTo() fills with zeros what MAVLink 2 has omitted, and leaves out 
 TEST_CASE("a sketch that hears a payload's commands does not make it take those for others") {
   for (bool isFirst : {true, false}) {
     CAPTURE(isFirst);
-    struct Listening : Desk {
-      int carriedOut = 0;
-      MessageListener* before;
-      Payload payload;
-      MessageListener* behind;
-      explicit Listening(bool isBefore)
-          : before(isBefore ? new MessageListener(client, kOfPayload, keep, &copies) : nullptr),
-            payload(client, carryOut, &carriedOut),
-            behind(isBefore ? nullptr : new MessageListener(client, kOfPayload, keep, &copies)) {}
-      void command(uint8_t component) {
-        Bytes bytes(33, 0);
-        bytes[28] = 42600 & 255;
-        bytes[29] = 42600 >> 8;
-        bytes[30] = 1;
-        bytes[31] = component;
-        tell(MAVLINK_MSG_ID_COMMAND_LONG, MAVLINK_MSG_ID_COMMAND_LONG_CRC, bytes);
-        payload.update();
-        run(5);
-      }
-    } desk(isFirst);
+    Desk desk;
+    int carriedOut = 0;
+    std::unique_ptr<MessageListener> own;
+    const auto listen = [&] { own.reset(new MessageListener(desk.client, kOfPayload, keep, &desk.copies)); };
+    if (isFirst) listen();
+    Payload payload(desk.client, carryOut, &carriedOut);
+    if (!isFirst) listen();
     desk.run(3500);
-    desk.command(154);
-    CHECK(desk.carriedOut == 0);
-    CHECK(desk.timesOf(MAVLINK_MSG_ID_COMMAND_ACK, 0).empty());
-    desk.command(191);
-    CHECK(desk.carriedOut == 1);
-    CHECK(desk.timesOf(MAVLINK_MSG_ID_COMMAND_ACK, 0).size() == 1);
+    for (const std::string component : {"154", "191"}) {
+      desk.ToldClient::tell("COMMAND_LONG command 42600 target_system 1 target_component " + component);
+      payload.update();
+      desk.run(5);
+      const bool isOurs = component == "191";
+      CHECK(carriedOut == (isOurs ? 1 : 0));
+      CHECK(desk.timesOf(MAVLINK_MSG_ID_COMMAND_ACK, 0).size() == (isOurs ? 1u : 0u));
+    }
     CHECK(desk.copies.size() == 2);
-    delete desk.before;
-    delete desk.behind;
   }
 }

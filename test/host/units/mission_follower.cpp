@@ -2,17 +2,15 @@
 #include "mavmission/service/MissionFollower.h"
 
 #include <doctest/doctest.h>
-#include <string.h>
 
 #include <initializer_list>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "ClientOnLine.h"
 #include "PlanFrames.h"
 #include "Px4Checksum.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
@@ -26,14 +24,14 @@ const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), r
 
 void append(std::string& list, const std::string& word) { list += (list.empty() ? "" : " ") + word; }
 
-struct Desk : ClientOnLine {
+struct Desk : ToldClient {
   MissionFollower follower;
   std::string currents, reacheds, texts;  // what the functions were called with
   const bool isPx4;
   uint32_t ours = 0;                              // PX4's name for our plan
   std::vector<mavlink_mission_item_int_t> items;  // of it, as they were sent
 
-  explicit Desk(uint8_t autopilot = kPx4) : ClientOnLine(autopilot), follower(client), isPx4(autopilot == kPx4) {
+  explicit Desk(uint8_t autopilot = kPx4) : ToldClient(autopilot), follower(client), isPx4(autopilot == kPx4) {
     follower.onCurrent(noteNumber, &currents);
     follower.onReached(noteNumber, &reacheds);
     follower.onText(noteText, &texts);
@@ -44,48 +42,13 @@ struct Desk : ClientOnLine {
     *static_cast<std::string*>(list) += std::to_string(severity) + " " + text + ". ";
   }
 
-  template <typename Message>
-  void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId = 1) {
-    FrameParts parts(id, message, crcExtra);
-    parts.systemId = systemId;
-    hear(parts);
-    while (!line.toRead.empty()) run(1);
+  // The items are those on the wire.
+  void current(uint16_t item, uint16_t total = 2, uint32_t name = 0, uint8_t state = kActive) {
+    tell("MISSION_CURRENT seq " + std::to_string(item) + " total " + std::to_string(total) + " mission_state " +
+         std::to_string(state) + " mission_id " + std::to_string(name));
   }
-  // MISSION_CURRENT. The items are those on the wire.
-  void current(uint16_t item, uint16_t total = 2, uint32_t name = 0, uint8_t state = kActive, uint8_t systemId = 1) {
-    mavlink_mission_current_t message = mavlink_mission_current_t();
-    message.seq = item;
-    message.total = total;
-    message.mission_state = state;
-    message.mission_id = name;
-    tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message, systemId);
-  }
-  void reached(uint16_t item, uint8_t systemId = 1) {
-    mavlink_mission_item_reached_t message = mavlink_mission_item_reached_t();
-    message.seq = item;
-    tell(MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC, message, systemId);
-  }
-  void say(const std::string& words, uint8_t severity = 6, uint8_t systemId = 1) {
-    mavlink_statustext_t message = mavlink_statustext_t();
-    message.severity = severity;
-    memcpy(message.text, words.data(), words.size());
-    message.id = 0x4141;  // lies after the text
-    tell(MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC, message, systemId);
-  }
-  // The answer to another station's download or upload.
-  void count(uint32_t name, uint8_t type) {
-    mavlink_mission_count_t message = mavlink_mission_count_t();
-    message.count = 2;
-    message.target_system = 255;
-    message.target_component = 190;
-    message.mission_type = type;
-    message.opaque_id = name;
-    tell(MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, message);
-  }
-  void ack(uint32_t name, uint8_t result, uint8_t type) {
-    hear(ackParts(result, 255, 190, type, name));
-    while (!line.toRead.empty()) run(1);
-  }
+  void reached(uint16_t item) { tell("MISSION_ITEM_REACHED seq " + std::to_string(item)); }
+  void say(const std::string& words) { tell("STATUSTEXT severity 6 id 0x4141 text " + words); }
   // Heard alone, armed or not.
   void beat(bool isArmed) {
     beats = false;
@@ -99,10 +62,8 @@ struct Desk : ClientOnLine {
     for (uint16_t item = 0; item < (isPx4 ? 2 : 3); ++item) {
       hear(requestParts(item));
       REQUIRE(runUntilSent(kItemInt, 50));
-      mavlink_mission_item_int_t sentItem;
-      memcpy(&sentItem, sent.back().payload.data(), sizeof(sentItem));
-      items.push_back(sentItem);
-      if (isPx4) ours = px4Checksum(item == 0 ? 0 : ours, sentItem);
+      items.push_back(messageIn<mavlink_mission_item_int_t>(sent.back().payload));
+      if (isPx4) ours = px4Checksum(item == 0 ? 0 : ours, items.back());
     }
   }
   // ... and accepted.
@@ -119,11 +80,7 @@ struct Desk : ClientOnLine {
     client.verify(inRam(kPlan));
     REQUIRE(runUntilSent(kRequestList, 3000));
     sent.clear();
-    mavlink_mission_count_t message = mavlink_mission_count_t();
-    message.count = static_cast<uint16_t>(held.size());
-    message.target_system = 1;
-    message.target_component = 191;
-    tell(MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, message);
+    tell(countParts(static_cast<uint16_t>(held.size())));
     for (size_t i = 0; client.isBusy() && (i < sent.size() || runUntilSent(kRequestInt, 100)); ++i) {
       if (sent[i].messageId != kRequestInt) continue;
       mavlink_mission_item_int_t item = held.at(sent[i].payload[0]);
@@ -132,7 +89,7 @@ struct Desk : ClientOnLine {
         item.command = MAV_CMD_NAV_WAYPOINT;
         item.frame = MAV_FRAME_GLOBAL;
       }
-      tell(MAVLINK_MSG_ID_MISSION_ITEM_INT, MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC, item);
+      tell(FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT, item, MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC));
     }
     run(5);
   }
@@ -160,15 +117,20 @@ struct Desk : ClientOnLine {
     std::istringstream words(text);
     std::string first, second, third;
     words >> first >> second >> third;
-    const uint8_t type = third == "fence" ? MAV_MISSION_TYPE_FENCE : MAV_MISSION_TYPE_MISSION;
-    const uint8_t result = third == "error" ? MAV_MISSION_ERROR : MAV_MISSION_ACCEPTED;
+    // To another station's download or upload.
+    const auto answer = [&](const std::string& message) {
+      tell(message + " target_system 255 target_component 190 opaque_id " + std::to_string(nameOf(second)) +
+           (third == "fence"   ? " mission_type 1"
+            : third == "error" ? " type 1"
+                               : ""));
+    };
     const uint8_t state = text.find("no mission") != std::string::npos ? kNoMission
                           : text.find("unknown") != std::string::npos  ? 0
                                                                        : kActive;
     if (first == "wait") return run(static_cast<uint32_t>(std::stoul(second)));
     if (first == "says") return say(text.substr(5));
-    if (first == "count") return count(nameOf(second), type);
-    if (first == "ack") return ack(nameOf(second), result, type);
+    if (first == "count") return answer("MISSION_COUNT count 2");
+    if (first == "ack") return answer("MISSION_ACK");
     if (first == "total") return current(1, static_cast<uint16_t>(std::stoul(second)), 0, state);
     current(0, second == "of" ? static_cast<uint16_t>(std::stoul(third)) : 2, nameOf(first), state);
   }
@@ -195,21 +157,6 @@ struct Desk : ClientOnLine {
       }
     }
   }
-
-  // When MISSION_CURRENT was requested [ms, since then].
-  std::string requests(uint32_t fromMs) const {
-    std::string times;
-    for (const SentFrame& frame : sent) {
-      mavlink_command_long_t command;
-      memcpy(&command, frame.payload.data(), sizeof(command));
-      if (frame.messageId != MAVLINK_MSG_ID_COMMAND_LONG || command.command != MAV_CMD_SET_MESSAGE_INTERVAL) continue;
-      if (command.param1 != MAVLINK_MSG_ID_MISSION_CURRENT || frame.atMs < fromMs) continue;
-      CHECK((command.param2 == 1000000));
-      CHECK((command.confirmation == 0));
-      times += (times.empty() ? "" : " ") + std::to_string(frame.atMs - fromMs);
-    }
-    return times;
-  }
 };
 
 }  // namespace
@@ -220,7 +167,7 @@ TEST_CASE("MISSION_CURRENT is requested when none has come for two seconds, and 
   Desk desk;
   const uint32_t fromMs = desk.nowMs();
   desk.run(260000);
-  CHECK(desk.requests(fromMs) == "2002 4002 8002 16002 32002 64002 128002 192002 256002");
+  CHECK(desk.requests(42, 1000, fromMs) == "2002 4002 8002 16002 32002 64002 128002 192002 256002");
 }
 
 TEST_CASE("a MISSION_CURRENT keeps the request back, and lets the pauses begin anew") {
@@ -234,7 +181,7 @@ TEST_CASE("a MISSION_CURRENT keeps the request back, and lets the pauses begin a
   }
   CHECK(desk.sent.size() == desk.timesOf(MAVLINK_MSG_ID_HEARTBEAT, fromMs).size());
   desk.run(15000);
-  CHECK(desk.requests(fromMs) == "21502 23502 27502");
+  CHECK(desk.requests(42, 1000, fromMs) == "21502 23502 27502");
 }
 
 TEST_CASE("heartbeats that come more often do not bring a second request before the answer to the first") {
@@ -244,7 +191,7 @@ TEST_CASE("heartbeats that come more often do not bring a second request before 
     desk.beat(false);
     desk.run(100);
   }
-  CHECK(desk.requests(fromMs) == "202 1702");
+  CHECK(desk.requests(42, 1000, fromMs) == "202 1702");
 }
 
 TEST_CASE("a request that has no room waits for the next heartbeat after that") {
@@ -255,33 +202,20 @@ TEST_CASE("a request that has no room waits for the next heartbeat after that") 
   desk.run(5000);  // our heartbeat is waiting to go out
   desk.line.room = MemoryStream::kAlwaysRoom;
   desk.run(1500);
-  CHECK(desk.requests(fromMs) == "6002");
+  CHECK(desk.requests(42, 1000, fromMs) == "6002");
 }
 
 TEST_CASE("the answer to the request lets another listener ask at once") {
   for (bool isAnswered : {true, false}) {
-    struct Two : ClientOnLine {
-      AttitudeListener attitude;
-      MissionFollower follower;  // hears before the other
-      Two() : ClientOnLine(kPx4), attitude(client, 1000), follower(client) {}
-      std::string asked;
-      void pass(uint32_t ms) {
-        sent.clear();
-        run(ms);
-        for (const SentFrame& frame : sent) {
-          mavlink_command_long_t command;
-          memcpy(&command, frame.payload.data(), sizeof(command));
-          if (frame.messageId == MAVLINK_MSG_ID_COMMAND_LONG) {
-            asked += std::to_string(static_cast<int>(command.param1)) + " ";
-          }
-        }
-      }
-    } desk;
-    desk.pass(2500);  // both are due at the third heartbeat
-    REQUIRE(desk.asked == "30 42 ");
+    ToldClient desk(kPx4);
+    AttitudeListener attitude(desk.client, 1000);
+    MissionFollower follower(desk.client);  // hears before the other
+    desk.run(2500);                         // both are due at the third heartbeat
+    CHECK(desk.requests(30, 1000) == "65002");
+    CHECK(desk.requests(42, 1000) == "67002");
     desk.hear(commandAckParts(isAnswered ? MAV_CMD_SET_MESSAGE_INTERVAL : MAV_CMD_REQUEST_MESSAGE, MAV_RESULT_DENIED));
-    desk.pass(10);
-    CHECK(desk.asked == (isAnswered ? "30 42 30 " : "30 42 "));
+    desk.run(10);
+    CHECK(desk.requests(30, 1000) == (isAnswered ? "65002 67502" : "65002"));
   }
 }
 
@@ -301,17 +235,13 @@ TEST_CASE("the current item, the total and the state are those of the last MISSI
     CHECK(desk.mission() == "1 of 65534 active, reached none");
     desk.current(home + 5, 0xFFFF, 0, 4);
     CHECK(desk.mission() == "5 of 0 paused, reached none");
-    desk.current(home + 2, 9, 0, kActive, 2);  // another aircraft's
-    desk.reached(home + 2, 2);
+    desk.tell("MISSION_CURRENT seq 3 total 9 mission_state 3", 2);  // another aircraft's
+    desk.tell("MISSION_ITEM_REACHED seq 3", 2);
     CHECK(desk.mission() == "5 of 0 paused, reached none");
     CHECK(desk.currents == "0 1 5");
     CHECK(desk.reacheds.empty());
     // As an older autopilot sends it, which has no more than the item.
-    const uint8_t item = static_cast<uint8_t>(home + 3);
-    FrameParts shorter(MAVLINK_MSG_ID_MISSION_CURRENT, {item, 0}, MAVLINK_MSG_ID_MISSION_CURRENT_CRC);
-    shorter.version = 1;
-    desk.hear(shorter);
-    desk.run(5);
+    desk.tell(messagePartsV1("MISSION_CURRENT seq " + std::to_string(home + 3)));
     CHECK(desk.mission() == "3 of 0 not known, reached none");
   }
 }
@@ -441,10 +371,10 @@ TEST_CASE("items that a command of the client's leaves out are not told of as re
 TEST_CASE("each text is given with its severity, and ends after 50 characters") {
   Desk desk;
   desk.run(3500);
-  desk.say("first", 2);
-  desk.say(std::string(50, 'x'), 7);
-  desk.say("foreign", 0, 2);
-  desk.say("", 5);
+  desk.tell("STATUSTEXT severity 2 text first");
+  desk.tell("STATUSTEXT severity 7 id 0x4141 text " + std::string(50, 'x'));  // its id lies after the text
+  desk.tell("STATUSTEXT text foreign", 2);
+  desk.tell("STATUSTEXT severity 5");
   CHECK(desk.texts == "2 first. 7 " + std::string(50, 'x') + ". 5 . ");
 }
 

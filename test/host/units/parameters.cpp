@@ -3,22 +3,19 @@
 
 #include <doctest/doctest.h>
 #include <stdio.h>
-#include <string.h>
 
 #include <initializer_list>
 #include <limits>
 #include <string>
 
-#include "ClientOnLine.h"
 #include "Script.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
 namespace {
 
 constexpr uint16_t kRead = MAVLINK_MSG_ID_PARAM_REQUEST_READ, kSet = MAVLINK_MSG_ID_PARAM_SET;
-constexpr uint8_t kArmed = 128;
 constexpr uint8_t kFloat = MAV_PARAM_TYPE_REAL32, kInt32 = MAV_PARAM_TYPE_INT32;
 
 uint32_t bitsOf(float value) {
@@ -30,12 +27,11 @@ uint32_t bitsOf(float value) {
 FlashText inFlash(const char* text) { return reinterpret_cast<FlashText>(text); }
 
 // Each begins an operation about the parameter NAME, or goes on with it; did() says what came of that.
-struct Desk : ClientOnLine {
+struct Desk : ToldClient {
   Parameters parameters;
   const bool isPx4;
 
-  explicit Desk(uint8_t autopilot = kArduPilot)
-      : ClientOnLine(autopilot), parameters(client), isPx4(autopilot == kPx4) {
+  explicit Desk(uint8_t autopilot = kArduPilot) : ToldClient(autopilot), parameters(client), isPx4(autopilot == kPx4) {
     run(3000);
     sent.clear();
   }
@@ -47,7 +43,7 @@ struct Desk : ClientOnLine {
   Desk& room(int bytes) { return line.room = bytes, *this; }
   Desk& arm() {
     beats = false;
-    hear(heartbeatParts(kArduPilot, kArmed));
+    hear(heartbeatParts(kArduPilot, MAV_MODE_FLAG_SAFETY_ARMED));
     return pass(5);
   }
   // The parameter has this value, in the form in which this autopilot sends a number of this type.
@@ -88,16 +84,14 @@ struct Desk : ClientOnLine {
     return pass(20);
   }
   std::string readBy(const SentFrame& frame) {
-    mavlink_param_request_read_t request;
-    memcpy(&request, frame.payload.data(), sizeof(request));
-    CHECK(request.param_index == -1);
-    CHECK(request.target_system == 1);
-    CHECK(request.target_component == 1);
-    return "read " + std::string(request.param_id, strnlen(request.param_id, sizeof(request.param_id)));
+    const std::string all = "PARAM_REQUEST_READ target_system 1 target_component 1 ";
+    const std::string words = wordsOf(frame.messageId, frame.payload), end = " param_index -1";
+    REQUIRE(words.find(all) == 0);
+    REQUIRE(words.find(end) == words.size() - end.size());
+    return "read " + words.substr(all.size(), words.size() - all.size() - end.size()).substr(9);
   }
   std::string setBy(const SentFrame& frame) {
-    mavlink_param_set_t message;
-    memcpy(&message, frame.payload.data(), sizeof(message));
+    const auto message = messageIn<mavlink_param_set_t>(frame.payload);
     CHECK(std::string(message.param_id) == "NAME");
     CHECK(message.target_system == 1);
     CHECK(message.target_component == 1);

@@ -2,13 +2,11 @@
 #include "mavmission/telemetry/TelemetryPause.h"
 
 #include <doctest/doctest.h>
-#include <string.h>
-
 #include <string>
 
-#include "ClientOnLine.h"
+#include "PlanFrames.h"
 #include "Script.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
@@ -16,12 +14,12 @@ namespace {
 
 const PausableMessage kThree[] = {{30, 100}, {24, 0}, {33, 65535}};
 
-struct Desk : ClientOnLine {
+struct Desk : ToldClient {
   TelemetryPause pause;
 
-  explicit Desk(uint8_t autopilot = kArduPilot) : ClientOnLine(autopilot), pause(client) { fillPlan(); }
+  explicit Desk(uint8_t autopilot = kArduPilot) : ToldClient(autopilot), pause(client) { fillPlan(); }
   template <uint8_t N>
-  explicit Desk(const PausableMessage (&messages)[N]) : ClientOnLine(kArduPilot), pause(client, messages) {
+  explicit Desk(const PausableMessage (&messages)[N]) : ToldClient(kArduPilot), pause(client, messages) {
     fillPlan();
   }
 
@@ -49,7 +47,7 @@ struct Desk : ClientOnLine {
       pause.update();
       if (dueMs_ != 0 && nowMs() == dueMs_) answer(resultOf(answers_));
       if (isAsked_ && nowMs() % askEachMs == 500) hear(requestParts(item_++));
-      if (isFollowed && nowMs() % 500 == 250) hear(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28));
+      if (isFollowed && nowMs() % 500 == 250) hear(messageParts("MISSION_CURRENT"));
       const size_t before = sent.size();
       run(1);
       for (size_t i = before; i < sent.size(); ++i) note(sent[i]);
@@ -77,11 +75,7 @@ struct Desk : ClientOnLine {
     REQUIRE(word == "in progress");
     return MAV_RESULT_IN_PROGRESS;
   }
-  void answer(uint8_t result, uint16_t command = MAV_CMD_SET_MESSAGE_INTERVAL, uint8_t component = 191) {
-    const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
-    hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, result, 0, 0, 0, 0, 0, 1, component},
-                    MAVLINK_MSG_ID_COMMAND_ACK_CRC));
-  }
+  void answer(uint8_t result) { hear(commandAckParts(MAV_CMD_SET_MESSAGE_INTERVAL, result)); }
   void happens(const Event& event) {
     if (event.is("wait")) {
       pass(event.number);
@@ -89,9 +83,9 @@ struct Desk : ClientOnLine {
       answers_ = event.what.substr(8);
       if (event.number != 0) delayMs_ = event.number;
     } else if (event.is("to another")) {
-      answer(MAV_RESULT_ACCEPTED, MAV_CMD_REQUEST_MESSAGE);
+      hear(commandAckParts(MAV_CMD_REQUEST_MESSAGE, MAV_RESULT_ACCEPTED));
     } else if (event.is("for others")) {
-      answer(MAV_RESULT_ACCEPTED, MAV_CMD_SET_MESSAGE_INTERVAL, 192);
+      hear(messageParts("COMMAND_ACK command 511 target_system 1 target_component 192"));
     } else if (event.is("upload")) {
       isAsked_ = true;
       item_ = 0;
@@ -107,8 +101,7 @@ struct Desk : ClientOnLine {
     }
   }
   void note(const SentFrame& frame) {
-    mavlink_command_long_t command;
-    memcpy(&command, frame.payload.data(), sizeof(command));
+    const auto command = messageIn<mavlink_command_long_t>(frame.payload);
     if (frame.messageId != MAVLINK_MSG_ID_COMMAND_LONG || command.command != MAV_CMD_SET_MESSAGE_INTERVAL) return;
     const long id = static_cast<long>(command.param1), us = static_cast<long>(command.param2);
     std::string asked = std::to_string(id) + ":" + std::to_string(us);

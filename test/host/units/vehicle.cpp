@@ -3,9 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <string>
 
 #include "mavmission/autopilot/Commands.h"
 #include "mavmission/autopilot/FlightMode.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -51,5 +53,34 @@ TEST_CASE("an unknown type has no mode on ArduPilot, and each on PX4") {
       if (expected(type) == Vehicle::Unknown) CHECK(modeNumber(mode, Firmware::ArduPilot, byte) == kNoMode);
       CHECK(modeNumber(mode, Firmware::Px4, byte) == modeNumber(mode, Firmware::Px4, 2));
     }
+  }
+}
+
+TEST_CASE("each vehicle's modes have its own names") {
+  const auto px4s = [](uint32_t main, uint32_t sub) { return main << 16 | sub << 24; };
+  const struct {
+    Firmware firmware;
+    uint8_t type;
+    uint32_t mode;
+    const char* name;
+  } kRows[] = {
+      {Firmware::ArduPilot, MAV_TYPE_QUADROTOR, 4, "GUIDED"},
+      {Firmware::ArduPilot, MAV_TYPE_QUADROTOR, 8, "unknown"},
+      {Firmware::ArduPilot, MAV_TYPE_QUADROTOR, 300, "unknown"},
+      {Firmware::ArduPilot, MAV_TYPE_FIXED_WING, 10, "AUTO"},
+      {Firmware::ArduPilot, MAV_TYPE_VTOL_TAILSITTER, 17, "QSTABILIZE"},
+      {Firmware::ArduPilot, MAV_TYPE_GROUND_ROVER, 4, "HOLD"},
+      {Firmware::ArduPilot, MAV_TYPE_SUBMARINE, 19, "MANUAL"},
+      {Firmware::ArduPilot, MAV_TYPE_AIRSHIP, 3, "LOITER"},
+      {Firmware::ArduPilot, MAV_TYPE_GCS, 0, "unknown"},
+      {Firmware::Px4, MAV_TYPE_QUADROTOR, px4s(3, 0), "POSCTL"},
+      {Firmware::Px4, MAV_TYPE_QUADROTOR, px4s(4, 4), "MISSION"},
+      {Firmware::Px4, MAV_TYPE_QUADROTOR, px4s(4, 99), "unknown"},
+      {Firmware::Px4, MAV_TYPE_QUADROTOR, 0, "unknown"},
+      {Firmware::Px4, MAV_TYPE_QUADROTOR, px4s(9, 0), "unknown"},
+      {Firmware::Other, MAV_TYPE_QUADROTOR, 0, "unknown"},
+  };
+  for (const auto& row : kRows) {
+    CHECK(std::string(reinterpret_cast<const char*>(modeName(row.firmware, row.type, row.mode))) == row.name);
   }
 }
