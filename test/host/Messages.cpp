@@ -99,16 +99,6 @@ void put(Bytes& payload, const Field& field, unsigned index, const std::string& 
   memcpy(&payload.at(field.wire_offset + index * sizeOf(field)), bytes, sizeOf(field));
 }
 
-std::string shortest(float value) {
-  char text[40];
-  if (fabsf(value) < 1e9f && floorf(value) == value) return std::to_string(static_cast<long>(value));
-  for (int digits = 6; digits <= 9; ++digits) {
-    snprintf(text, sizeof(text), "%.*g", digits, double{value});
-    if (strtof(text, nullptr) == value) break;
-  }
-  return text;
-}
-
 std::string numberAt(const Bytes& payload, const Field& field, unsigned index) {
   const unsigned size = sizeOf(field), at = field.wire_offset + index * size;
   uint64_t bits = 0;
@@ -151,6 +141,16 @@ FrameParts made(const std::string& words, Bytes& payload) {
 }
 
 }  // namespace
+
+std::string shortest(float value) {
+  char text[40];
+  if (fabsf(value) < 1e9f && floorf(value) == value) return std::to_string(static_cast<long>(value));
+  for (int digits = 6; digits <= 9; ++digits) {
+    snprintf(text, sizeof(text), "%.*g", digits, double{value});
+    if (strtof(text, nullptr) == value) break;
+  }
+  return text;
+}
 
 FrameParts messageParts(const std::string& words) {
   Bytes payload;

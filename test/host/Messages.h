@@ -21,6 +21,9 @@ std::string wordsOf(uint32_t messageId, const Bytes& payload);
 // Of a message of the library's, after how many bytes it has, in MAVLink 1 too: "14 14: DISTANCE_SENSOR id 3".
 std::string wordsOf(const mavmission::OutgoingMessage& message);
 
+// The shortest number that is this one.
+std::string shortest(float value);
+
 // The message that a payload is.
 template <typename Message>
 Message messageIn(const Bytes& payload) {

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <new>
 
+#include "Messages.h"
 #include "SteeredAircraft.h"
-#include "mavmission/base/Checksum.h"
 
 using namespace mavmission;
 using namespace steered;
@@ -120,21 +120,12 @@ struct Follower : Aircraft {
   std::vector<Message> messages() const {
     std::vector<Message> found;
     for (const SentFrame& frame : sent) {
-      if (!isTarget(frame)) continue;
-      Message message;
-      memcpy(&message, frame.payload.data(), sizeof(message));
-      found.push_back(message);
+      if (isTarget(frame)) found.push_back(messageIn<Message>(frame.payload));
     }
     return found;
   }
   static bool isTarget(const SentFrame& frame) {
-    if (frame.messageId != kTarget) return false;
-    const uint8_t extra = 5;
-    uint16_t crc = detail::kChecksumStart;
-    for (size_t i = 1; i + 2 < frame.frame.size(); ++i) crc = detail::checksum(crc, &frame.frame[i], 1);
-    crc = detail::checksum(crc, &extra, 1);
-    const size_t end = frame.frame.size();
-    return frame.frame[end - 2] == static_cast<uint8_t>(crc) && frame.frame[end - 1] == crc >> 8;
+    return frame.messageId == kTarget && frame.frame == packedAgain(frame, 5);
   }
   // When they left, and when loop() gave them, as they say themselves [ms, since `from`].
   std::vector<uint32_t> times(uint32_t from) const {
@@ -154,10 +145,8 @@ struct Follower : Aircraft {
     const std::vector<Message> all = messages();
     if (all.empty()) return "";
     const Message& message = all.back();
-    char text[100];
-    snprintf(text, sizeof(text), "%d %d %g %d", int{message.lat_int}, int{message.lon_int}, double{float{message.alt}},
-             int{message.coordinate_frame});
-    return text;
+    return std::to_string(message.lat_int) + " " + std::to_string(message.lon_int) + " " + shortest(message.alt) + " " +
+           std::to_string(message.coordinate_frame);
   }
 
  private:
@@ -183,18 +172,13 @@ TEST_CASE("a copter that is followed gets its place five times a second, with ev
   CHECK(times[0] <= 3);
   for (size_t i = 0; i < 10; ++i) CHECK(times[i] == times[0] + 200 * i);
   CHECK((copter.renewed == Status::Transferring));
-  const Message message = copter.messages()[9];
-  CHECK(uint32_t{message.time_boot_ms} >= beganMs + times[9] - 3);
-  CHECK(uint32_t{message.time_boot_ms} < beganMs + times[9]);
-  Message expected = Message();
-  expected.time_boot_ms = message.time_boot_ms;
-  expected.target_system = expected.target_component = 1;
-  expected.lat_int = -353630000;
-  expected.lon_int = 1491652374;
-  expected.alt = 20.0f;
-  expected.coordinate_frame = 6;
-  expected.type_mask = 0x0DF8;
-  CHECK(memcmp(&message, &expected, sizeof(message)) == 0);
+  const uint32_t givenMs = copter.given()[9];
+  CHECK(givenMs >= beganMs + times[9] - 3);
+  CHECK(givenMs < beganMs + times[9]);
+  CHECK(wordsOf(kTarget, bytesOf(copter.messages()[9])) ==
+        "SET_POSITION_TARGET_GLOBAL_INT time_boot_ms " + std::to_string(givenMs) +
+            " target_system 1 target_component 1 coordinate_frame 6 type_mask 3576 lat_int -353630000 "
+            "lon_int 1491652374 alt 20");
   copter.place = kOther;
   copter.altitude = 25.5_m;
   copter.pass(260);

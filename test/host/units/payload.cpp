@@ -2,13 +2,10 @@
 #include "mavmission/payload/Payload.h"
 
 #include <doctest/doctest.h>
-#include <string.h>
-
 #include <string>
 
-#include "ClientOnLine.h"
 #include "Script.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
@@ -23,12 +20,12 @@ struct Address {
 };
 constexpr Address kStation = {255, 190}, kPilot = {1, 1}, kUs = {1, 191};
 
-struct Carrier : ClientOnLine {
+struct Carrier : ToldClient {
   Payload payload;
   std::vector<PayloadCommand> carried;
 
   explicit Carrier(bool hasFunction = true)
-      : ClientOnLine(kArduPilot), payload(client, hasFunction ? carryOut : nullptr, this) {
+      : ToldClient(kArduPilot), payload(client, hasFunction ? carryOut : nullptr, this) {
     plays("wait 3000");
   }
 
@@ -93,8 +90,7 @@ struct Carrier : ClientOnLine {
   }
   void note(const SentFrame& frame) {
     if (frame.messageId != kCommandAck) return;
-    mavlink_command_ack_t message;
-    memcpy(&message, frame.payload.data(), sizeof(message));
+    const auto message = messageIn<mavlink_command_ack_t>(frame.payload);
     CHECK(int32_t{message.result_param2} == 0);
     CHECK((message.command == kWinch || message.command == kGripper || message.command == 0));
     std::string text = message.command == kGripper ? "gripper " : "";
@@ -105,19 +101,10 @@ struct Carrier : ClientOnLine {
     said_.note(to == "255/190" ? text : text + " to " + to, sinceSpoken());
   }
   void order(uint16_t id, float first, bool again, Address from = kStation, Address to = kUs) {
-    mavlink_command_long_t message = mavlink_command_long_t();
-    message.param1 = first;
-    message.param2 = 2;
-    message.param3 = 3;
-    message.param4 = 4;
-    message.param5 = 5;
-    message.param6 = 6;
-    message.param7 = 7;
-    message.command = id;
-    message.target_system = to.systemId;
-    message.target_component = to.componentId;
-    message.confirmation = again ? 1 : 0;
-    FrameParts parts(76, bytesOf(message), 152);
+    FrameParts parts = messageParts("COMMAND_LONG param2 2 param3 3 param4 4 param5 5 param6 6 param7 7 param1 " +
+                                    std::to_string(first) + " command " + std::to_string(id) + " confirmation " +
+                                    (again ? "1" : "0") + " target_system " + std::to_string(to.systemId) +
+                                    " target_component " + std::to_string(to.componentId));
     parts.systemId = from.systemId;
     parts.componentId = from.componentId;
     hear(parts);
@@ -144,13 +131,8 @@ TEST_CASE("a command to this component is carried out once, with all its fields,
 
 TEST_CASE("the function runs in Payload::update(), not while the client reads, and then for the first command alone") {
   Carrier carrier;
-  mavlink_command_long_t message = mavlink_command_long_t();
-  message.target_system = 1;
-  message.target_component = 191;
-  for (uint16_t id : {kWinch, kGripper}) {
-    message.command = id;
-    carrier.hear(FrameParts(76, bytesOf(message), 152));
-  }
+  carrier.hear(messageParts("COMMAND_LONG command 42600 target_system 1 target_component 191"));
+  carrier.hear(messageParts("COMMAND_LONG command 211 target_system 1 target_component 191"));
   carrier.run(10);
   CHECK(carrier.carried.empty());
   CHECK(carrier.plays("wait 5") == "winch 0, accepted to 1/1");  // the other one is left to its sender to repeat
@@ -277,10 +259,6 @@ TEST_CASE("an answer that cannot leave yet is not lost, and its command is not f
 
 TEST_CASE("a command with coordinates is ignored") {
   Carrier carrier;
-  mavlink_command_int_t message = mavlink_command_int_t();
-  message.command = kWinch;
-  message.target_system = 1;
-  message.target_component = 191;
-  carrier.hear(FrameParts(75, bytesOf(message), 158));
+  carrier.hear(messageParts("COMMAND_INT command 42600 target_system 1 target_component 191"));
   CHECK(carrier.plays("wait 5") == "");
 }

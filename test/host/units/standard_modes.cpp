@@ -8,9 +8,9 @@
 #include <new>
 #include <string>
 
-#include "ClientOnLine.h"
+#include "PlanFrames.h"
 #include "Script.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
@@ -19,24 +19,23 @@ namespace {
 constexpr uint16_t kCommandLong = MAVLINK_MSG_ID_COMMAND_LONG;
 constexpr uint16_t kSet = MAV_CMD_DO_SET_STANDARD_MODE, kAsk = MAV_CMD_REQUEST_MESSAGE;
 constexpr uint16_t kCurrentMode = MAVLINK_MSG_ID_CURRENT_MODE, kModes = MAVLINK_MSG_ID_AVAILABLE_MODES;
-constexpr uint8_t kAccepted = MAV_RESULT_ACCEPTED, kDenied = MAV_RESULT_DENIED, kFailed = MAV_RESULT_FAILED,
-                  kSilent = 255;
+constexpr uint8_t kAccepted = MAV_RESULT_ACCEPTED, kDenied = MAV_RESULT_DENIED, kSilent = 255;
 constexpr uint32_t kPosctl = 3ul << 16, kLand = 4ul << 16 | 6ul << 24, kReturn = 4ul << 16 | 5ul << 24;
 constexpr uint8_t kLandMode = static_cast<uint8_t>(StandardMode::Land);
 constexpr uint8_t kRecovery = static_cast<uint8_t>(StandardMode::SafeRecovery);
 
 // A PX4 that does what it is told, but for what a test changes of it.
-struct Flown : ClientOnLine {
+struct Flown : ToldClient {
   StandardModes modes;
   uint32_t custom = kPosctl;  // its mode, as heartbeats show it
   uint8_t standard = 0;       // and as CURRENT_MODE does
   uint8_t saysToSet = kAccepted, saysToAsk = kAccepted;
   bool obeys = true, tells = true;
   bool beatsOnRequest = true;
-  mavlink_available_modes_t entry;
-  uint32_t tookMs = 0;  // of the last script
+  std::string entry = "number_modes 9";  // of its list, as AVAILABLE_MODES has it
+  uint32_t tookMs = 0;                   // of the last script
 
-  explicit Flown() : ClientOnLine(kPx4), modes(client), entry() {
+  Flown() : ToldClient(kPx4), modes(client) {
     beats = false;
     plays("wait 3500");
   }
@@ -94,36 +93,22 @@ struct Flown : ClientOnLine {
     REQUIRE(isDone);
   }
   void show() {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = custom;
-    message.type = MAV_TYPE_QUADROTOR;
-    message.autopilot = MAV_AUTOPILOT_PX4;
-    message.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-    message.system_status = MAV_STATE_ACTIVE;
-    message.mavlink_version = 3;
-    tell(MAVLINK_MSG_ID_HEARTBEAT, MAVLINK_MSG_ID_HEARTBEAT_CRC, message, 1);
+    hear(messageParts("HEARTBEAT type 2 autopilot 12 base_mode 1 system_status 4 mavlink_version 3 custom_mode " +
+                      std::to_string(custom)));
   }
-  template <typename Message>
-  void tell(uint16_t id, uint8_t crcExtra, const Message& message, uint8_t systemId) {
-    FrameParts parts(id, message, crcExtra);
+  void tellOf(uint8_t systemId, const std::string& words) {
+    FrameParts parts = messageParts(words);
     parts.systemId = systemId;
     hear(parts);
   }
   void tellCurrent(uint8_t mode, uint8_t systemId = 1) {
-    mavlink_current_mode_t message = mavlink_current_mode_t();
-    message.standard_mode = mode;
-    message.custom_mode = 1;
-    tell(kCurrentMode, MAVLINK_MSG_ID_CURRENT_MODE_CRC, message, systemId);
+    tellOf(systemId, "CURRENT_MODE custom_mode 1 standard_mode " + std::to_string(mode));
   }
   void tellEntry(uint8_t number, uint8_t systemId = 1) {
-    entry.mode_index = number;
-    tell(kModes, MAVLINK_MSG_ID_AVAILABLE_MODES_CRC, entry, systemId);
+    tellOf(systemId, "AVAILABLE_MODES mode_index " + std::to_string(number) + " " + entry);
   }
   void answer(uint16_t command, uint8_t result) {
-    if (result == kSilent) return;
-    const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
-    hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, result, 0, 0, 0, 0, 0, 1, 191},
-                    MAVLINK_MSG_ID_COMMAND_ACK_CRC));
+    if (result != kSilent) hear(commandAckParts(command, result));
   }
   void pass(uint32_t ms) {
     for (; ms != 0; --ms) {
@@ -136,8 +121,7 @@ struct Flown : ClientOnLine {
     }
   }
   void take(const SentFrame& frame) {
-    mavlink_command_long_t command;
-    memcpy(&command, frame.payload.data(), sizeof(command));
+    const auto command = messageIn<mavlink_command_long_t>(frame.payload);
     if (command.command == kAsk && command.param1 == MAVLINK_MSG_ID_HEARTBEAT) {
       heartbeatMs_ = nowMs() + 25;
       return answer(kAsk, kAccepted);
@@ -170,7 +154,6 @@ struct Flown : ClientOnLine {
 
 TEST_CASE("before anything was read there is no entry, and the mode is not known") {
   Flown flight;
-  flight.entry.number_modes = 9;
   flight.plays("entry 1, wait 5");  // for another client
   CHECK(flight.modes.count() == 0);
   CHECK(std::string(flight.modes.name()).empty());
@@ -232,16 +215,11 @@ TEST_CASE("a mode that is none, or a link of MAVLink 1, is refused before anythi
 }
 
 TEST_CASE("a refusal is the end, and nothing is asked") {
-  const struct {
-    uint8_t result;
-    const char* ends;
-  } kResults[] = {{kFailed, "order 7, CommandFailed"},
-                  {kDenied, "order 7, CommandDenied"},
-                  {MAV_RESULT_UNSUPPORTED, "order 7, CommandUnsupported"},
-                  {MAV_RESULT_TEMPORARILY_REJECTED, "order 7, CommandRejected"}};
-  for (const auto& one : kResults) {
+  const std::string kEnds[] = {"CommandRejected", "CommandDenied", "CommandUnsupported", "CommandFailed"};
+  for (uint8_t result = MAV_RESULT_TEMPORARILY_REJECTED; result <= MAV_RESULT_FAILED; ++result) {
     Flown flight;
-    CHECK(flight.thatDoesNot(flight.obeys).thatSays(one.result, kAccepted).plays("set 7, end") == one.ends);
+    CHECK(flight.thatDoesNot(flight.obeys).thatSays(result, kAccepted).plays("set 7, end") ==
+          "order 7, " + kEnds[result - 1]);
   }
 }
 
@@ -314,21 +292,16 @@ TEST_CASE("the mode is that of the last CURRENT_MODE, asked for or not, and of n
 
 TEST_CASE("an entry of the list is read by its number, and described") {
   Flown flight;
-  flight.entry.number_modes = 9;
-  flight.entry.standard_mode = kLandMode;
-  flight.entry.custom_mode = 0x01020304;
-  flight.entry.properties = MAV_MODE_PROPERTY_NOT_USER_SELECTABLE;
   const std::string name(35, 'n');
-  memcpy(flight.entry.mode_name, name.data(), name.size());
+  // MAV_MODE_PROPERTY_NOT_USER_SELECTABLE; then MAV_MODE_PROPERTY_ADVANCED alone.
+  flight.entry = "number_modes 9 standard_mode 7 custom_mode 0x01020304 properties 2 mode_name " + name;
   CHECK(flight.plays("read 3, end") == "ask entry 3, Done");
   CHECK(flight.modes.count() == 9);
   CHECK((flight.modes.mode() == StandardMode::Land));
   CHECK(flight.modes.customMode() == 0x01020304);
   CHECK_FALSE(flight.modes.isSelectable());
   CHECK(flight.modes.name() == name);
-  flight.entry.properties = MAV_MODE_PROPERTY_ADVANCED;
-  memset(flight.entry.mode_name, 0, sizeof(flight.entry.mode_name));
-  memcpy(flight.entry.mode_name, "Hold", 4);
+  flight.entry = "number_modes 9 properties 1 mode_name Hold";
   CHECK(flight.plays("read 255, end") == "ask entry 255, Done");
   CHECK(flight.modes.isSelectable());
   CHECK(std::string(flight.modes.name()) == "Hold");
@@ -340,7 +313,6 @@ TEST_CASE("an entry of the list is read by its number, and described") {
 
 TEST_CASE("an entry that another client has asked for, or another autopilot's, is not taken") {
   Flown flight;
-  flight.entry.number_modes = 9;
   CHECK(flight.thatDoesNot(flight.tells).plays("read 3, wait 50, entry 4, entry 2, strange 3, wait 50") ==
         "ask entry 3");
   CHECK(flight.modes.count() == 0);
