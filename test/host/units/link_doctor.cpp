@@ -7,8 +7,8 @@
 #include <initializer_list>
 #include <string>
 
-#include "ClientOnLine.h"
-#include "mavmission/base/MavlinkHeaders.h"
+#include "PlanFrames.h"
+#include "ToldClient.h"
 
 using namespace mavmission;
 
@@ -39,7 +39,7 @@ void append(std::string& list, uint32_t number, const std::string& word = "") {
 
 // A line on which nobody is, unless the test says who. What happens on it is said word by word:
 // Desk().pass(10000).autopilot().pass(10000) is one that stays silent for 10 s, and an autopilot for 10 s.
-struct Desk : ClientOnLine {
+struct Desk : ToldClient {
   LinkDoctor doctor;
   const uint32_t beganMs;
   std::string history;  // each change of the verdict, after the milliseconds since the beginning
@@ -53,7 +53,7 @@ struct Desk : ClientOnLine {
   uint32_t baud = 57600;   // of the port
   uint32_t goodBaud = 0;   // an autopilot is heard at this one, twice a second
 
-  Desk() : ClientOnLine(kArduPilot), doctor(client), beganMs(nowMs()) { beats = false; }
+  Desk() : ToldClient(kArduPilot), doctor(client), beganMs(nowMs()) { beats = false; }
 
   uint32_t sinceMs() const { return nowMs() - beganMs; }
 
@@ -91,11 +91,8 @@ struct Desk : ClientOnLine {
 
   // A heartbeat.
   Desk& beat(const Who& who, uint32_t customMode = 0, bool isSigned = false) {
-    mavlink_heartbeat_t message = mavlink_heartbeat_t();
-    message.custom_mode = customMode;
-    message.type = who.type;
-    message.autopilot = who.autopilot;
-    FrameParts parts(MAVLINK_MSG_ID_HEARTBEAT, message, MAVLINK_MSG_ID_HEARTBEAT_CRC);
+    FrameParts parts = messageParts("HEARTBEAT custom_mode " + std::to_string(customMode) + " type " +
+                                    std::to_string(who.type) + " autopilot " + std::to_string(who.autopilot));
     parts.systemId = who.systemId;
     parts.componentId = who.componentId;
     parts.incompatibility = isSigned;
@@ -147,9 +144,10 @@ struct Desk : ClientOnLine {
     return *this;
   }
   Desk& answer(uint16_t command, uint8_t targetSystem = 1, uint8_t targetComponent = 191) {
-    const uint8_t low = static_cast<uint8_t>(command), high = static_cast<uint8_t>(command >> 8);
-    hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {low, high, 0, 0, 0, 0, 0, 0, targetSystem, targetComponent},
-                    MAVLINK_MSG_ID_COMMAND_ACK_CRC));
+    FrameParts parts = commandAckParts(command, MAV_RESULT_ACCEPTED);
+    parts.payload[8] = targetSystem;
+    parts.payload[9] = targetComponent;
+    hear(parts);
     return *this;
   }
   // Once a second, in the middle of it, for 8 s.
@@ -213,8 +211,7 @@ struct Desk : ClientOnLine {
     append(desk.opened, desk.sinceMs(), " " + std::to_string(rate));
   }
   static bool isQuestion(const SentFrame& frame) {
-    mavlink_command_long_t command;
-    memcpy(&command, frame.payload.data(), sizeof(command));
+    const auto command = messageIn<mavlink_command_long_t>(frame.payload);
     return frame.messageId == MAVLINK_MSG_ID_COMMAND_LONG && command.command == MAV_CMD_REQUEST_MESSAGE &&
            command.param1 == MAVLINK_MSG_ID_AUTOPILOT_VERSION;
   }
@@ -498,7 +495,7 @@ TEST_CASE("an answer is a message for us, or that to our own question where it h
   }
   // Of the mission's messages those for us show that we are heard.
   CHECK(Desk().autopilot(0).eachSecond([](Desk& desk) { desk.hear(ackParts(0)); }).told() == "4000 Quiet");
-  const auto current = [](Desk& desk) { desk.hear(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28)); };
+  const auto current = [](Desk& desk) { desk.hear(messageParts("MISSION_CURRENT")); };
   CHECK(Desk().autopilot(0).eachSecond(current).told() == "5000 NotHeard");
 }
 
