@@ -479,22 +479,31 @@ TEST_CASE("where the plan cannot be looked at, only the expected item is right")
 
 // A refusal, or silence
 
-TEST_CASE("a refusal or silence before anything was armed is the end; after that, it is disarmed") {
+TEST_CASE("a refusal or silence before anything was armed is the end; after that, what start() has armed is disarmed") {
   const struct {
-    StartStep step;
-    const char *answer, *leads;
+    Flown flight;
+    const char *script, *leads;
   } kRows[] = {
-      {StartStep::ReadyMode, "denied", "mode guided, CommandDenied"},
-      {StartStep::FirstItem, "denied", "first item, CommandDenied"},
-      {StartStep::Arm, "denied", "arm, CommandDenied"},
-      {StartStep::ReadyMode, "silence", "mode guided, NoAnswer"},
-      {StartStep::FirstItem, "silence", "first item, NoAnswer"},
-      {StartStep::Arm, "silence", "arm, Leaving, asks"},
-      {StartStep::Begin, "silence", "start, Leaving, asks"},
+      {at(StartStep::ReadyMode, copter()), "sent, denied", "mode guided, CommandDenied"},
+      {at(StartStep::FirstItem, copter()), "sent, denied", "first item, CommandDenied"},
+      {at(StartStep::Arm, copter()), "sent, denied", "arm, CommandDenied"},
+      {at(StartStep::ReadyMode, copter()), "sent, silence", "mode guided, NoAnswer"},
+      {at(StartStep::FirstItem, copter()), "sent, silence", "first item, NoAnswer"},
+      {at(StartStep::Arm, copter()), "sent, silence", "arm, Leaving, asks"},
+      {at(StartStep::Begin, copter()), "sent, silence", "start, Leaving, asks"},
+      // Once a heartbeat shows that it is armed. PX4 that has begun after all is not disarmed.
+      {disarming(), "no answer, accepted, shows, shows disarmed", "due again, asks, CommandFailed (disarmed)"},
+      {at(StartStep::Begin, px4()), "sent, silence, shows armed auto", "start, Leaving, asks, NoAnswer (armed)"},
+      // One that has disarmed by itself, or that somebody else has taken, gets no command any more.
+      {leaving(), "shows disarmed", "CommandFailed (disarmed)"},
+      {leaving(), "shows rtl", "CommandFailed (armed)"},
+      {disarming(), "shows rtl", "CommandFailed (armed)"},
+      // Silence and a refusal to disarm end it with the first failure, the operation's time does not.
+      {leaving(), "too long, current 1, unconfirmed", "CommandFailed (armed)"},
+      {disarming(), "too long, current 1, unconfirmed", "CommandFailed (armed)"},
+      {disarming(), "too long, current 1, denied", "CommandFailed (armed)"},
   };
-  for (const auto& row : kRows) {
-    CHECK(at(row.step, copter()).plays("sent, " + std::string(row.answer)) == row.leads);
-  }
+  for (auto row : kRows) CHECK(row.flight.plays(row.script) == row.leads);
 }
 
 TEST_CASE("where PX4 refuses to begin, its mode may have changed all the same: it is set back") {
@@ -539,27 +548,6 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
   }
   CHECK(flight.plays("sent, refused") == "mode auto, Leaving, asks");
   CHECK(at(StartStep::FirstItem, rover()).plays("sent, refused") == "first item, CommandFailed");  // no other step is
-}
-
-TEST_CASE("after a failure an aircraft that start() has armed is disarmed, once a heartbeat shows that it is armed") {
-  CHECK(disarming().plays("no answer, accepted, shows, shows disarmed") == "due again, asks, CommandFailed (disarmed)");
-}
-
-TEST_CASE("an aircraft that has disarmed by itself, or that somebody else has taken, gets no command any more") {
-  CHECK(leaving().plays("shows disarmed") == "CommandFailed (disarmed)");
-  CHECK(leaving().plays("shows rtl") == "CommandFailed (armed)");
-  CHECK(disarming().plays("shows rtl") == "CommandFailed (armed)");
-}
-
-TEST_CASE("PX4 that has begun after all is not disarmed") {
-  CHECK(at(StartStep::Begin, px4()).plays("sent, silence, shows armed auto") ==
-        "start, Leaving, asks, NoAnswer (armed)");
-}
-
-TEST_CASE("in leaving, silence and a refusal to disarm end with the first failure, the operation's time does not") {
-  CHECK(leaving().plays("too long, current 1, unconfirmed") == "CommandFailed (armed)");
-  CHECK(disarming().plays("too long, current 1, unconfirmed") == "CommandFailed (armed)");
-  CHECK(disarming().plays("too long, current 1, denied") == "CommandFailed (armed)");
 }
 
 TEST_CASE("an autopilot that names another item than the one that was set ends start() with that") {
