@@ -56,6 +56,13 @@ uint32_t loaded() {
   return store.load(store.context);
 }
 
+// A memory that was never written, and its store, which has looked into it.
+struct Fresh : EepromTimestamps {
+  explicit Fresh(bool hasCommit = false) : EepromTimestamps((fresh(), memory(hasCommit)), kFirst, kSlots) {
+    CHECK(load(context) == 0);
+  }
+};
+
 void save(EepromTimestamps& store, uint32_t time) {
   int calls = 0;
   while (!store.save(store.context, time)) REQUIRE(++calls < 20);
@@ -88,9 +95,7 @@ TEST_CASE("a memory that was never written has no time") {
 }
 
 TEST_CASE("a time lies in its slot with its lowest byte first, and its checksum after it") {
-  fresh();
-  EepromTimestamps store(memory(), kFirst, kSlots);
-  CHECK(store.load(store.context) == 0);
+  Fresh store;
   save(store, 0x12345678);
   CHECK(slotAt(0) == slotOf(0x12345678));
   CHECK(chip.bytes[kFirst + kSlot] == 0xFF);
@@ -100,9 +105,7 @@ TEST_CASE("a time lies in its slot with its lowest byte first, and its checksum 
 
 TEST_CASE("each time is written into the next slot, and after the last one into the first") {
   for (bool isLoadedAnew : {false, true}) {
-    fresh();
-    EepromTimestamps once(memory(), kFirst, kSlots);
-    once.load(once.context);
+    Fresh once;
     for (uint32_t i = 0; i < 11; ++i) {
       EepromTimestamps again(memory(), kFirst, kSlots);
       if (isLoadedAnew) CHECK(again.load(again.context) == (i == 0 ? 0 : 1000 + i - 1));
@@ -117,9 +120,7 @@ TEST_CASE("each time is written into the next slot, and after the last one into 
 }
 
 TEST_CASE("what lies after the last slot is nobody's time, and a memory that was wiped begins with the first one") {
-  fresh();
-  EepromTimestamps store(memory(), kFirst, kSlots);
-  store.load(store.context);
+  Fresh store;
   save(store, 5);
   const std::vector<uint8_t> later = slotOf(7);
   for (uint16_t i = 0; i < kSlot; ++i) chip.bytes[kFirst + kSlots * kSlot + i] = later[i];
@@ -132,9 +133,7 @@ TEST_CASE("what lies after the last slot is nobody's time, and a memory that was
 }
 
 TEST_CASE("a store is loaded again after a time that was broken off") {
-  fresh();
-  EepromTimestamps store(memory(), kFirst, kSlots);
-  store.load(store.context);
+  Fresh store;
   CHECK_FALSE(store.save(store.context, 0x01010101));
   CHECK(store.load(store.context) == 0);
   save(store, 0x02020202);
@@ -142,9 +141,7 @@ TEST_CASE("a store is loaded again after a time that was broken off") {
 }
 
 TEST_CASE("a time whose bytes are spoilt is none: the one before it counts, and its slot is the next one written") {
-  fresh();
-  EepromTimestamps store(memory(), kFirst, kSlots);
-  store.load(store.context);
+  Fresh store;
   save(store, 0x11223344);
   save(store, 0x21324354);
   const std::vector<uint8_t> good = chip.bytes;
@@ -163,9 +160,7 @@ TEST_CASE("a time whose bytes are spoilt is none: the one before it counts, and 
 }
 
 TEST_CASE("of equal times the slot of the last one counts") {
-  fresh();
-  EepromTimestamps store(memory(), kFirst, kSlots);
-  store.load(store.context);
+  Fresh store;
   save(store, 7);
   save(store, 7);
   EepromTimestamps again(memory(), kFirst, kSlots);
@@ -175,9 +170,7 @@ TEST_CASE("of equal times the slot of the last one counts") {
 }
 
 TEST_CASE("nothing is written while the last byte is being written") {
-  fresh();
-  EepromTimestamps store(memory(), kFirst, kSlots);
-  store.load(store.context);
+  Fresh store;
   chip.isReady = false;
   for (int i = 0; i < 20; ++i) CHECK_FALSE(store.save(store.context, 5));
   CHECK(chip.writes == 0);
@@ -187,9 +180,7 @@ TEST_CASE("nothing is written while the last byte is being written") {
 }
 
 TEST_CASE("a time is saved when the memory has been committed, and tried again when that has failed") {
-  fresh();
-  EepromTimestamps store(memory(true), kFirst, kSlots);
-  store.load(store.context);
+  Fresh store(true);
   chip.commits = false;
   for (int i = 0; i < 20; ++i) CHECK_FALSE(store.save(store.context, 5));
   chip.commits = true;
