@@ -89,6 +89,22 @@ Read read(const std::string& text) {
 
 std::string told(const std::string& text) { return read(text).error; }
 
+// "Fence from 1: 5001 0, 5001 3": the kind of plan, its first number, and each item's command and param1; or the error.
+std::string planOf(const std::string& text) {
+  const Read found = read(text);
+  if (found.error != "None") return found.error;
+  CHECK(found.count == found.items.size());
+  static const char* const kKinds[] = {"Mission", "Fence", "Rally"};
+  std::ostringstream said;
+  said << kKinds[static_cast<uint8_t>(found.type)] << " from " << int(found.first);
+  const char* before = ": ";
+  for (const MissionItem& item : found.items) {
+    said << before << item.command << " " << item.param1;
+    before = ", ";
+  }
+  return said.str();
+}
+
 // Line 1 of a plan, after the header and home, with this field replaced.
 std::string withField(uint8_t field, const std::string& text, const char* command = "16") {
   std::string made = kBegin;
@@ -210,10 +226,10 @@ TEST_CASE("current and autocontinue are 0 or 1, and another current means nothin
   for (const char* text : {"2", "256", "-1"}) CHECK(itemWith(2, text).current == 0);
   for (uint8_t field : {2, 12}) CHECK(errors(field, "0 -0 1 0.0 1e0 nan") == "ok ok ok NotWhole NotWhole NotWhole");
   CHECK(errors(12, "2 256 -1") == "NotZeroOrOne NotZeroOrOne BadNumber");
-  CHECK(itemWith(2, "1").current == 1);
-  CHECK(itemWith(2, "0").current == 0);
-  CHECK(itemWith(12, "1").autocontinue == 1);
-  CHECK(itemWith(12, "0").autocontinue == 0);
+  for (int is : {0, 1}) {
+    CHECK(itemWith(2, std::to_string(is)).current == is);
+    CHECK(itemWith(12, std::to_string(is)).autocontinue == is);
+  }
 }
 
 TEST_CASE("of the frames those of MISSION_ITEM and MISSION_ITEM_INT are taken that the library has, as the latter") {
@@ -271,27 +287,13 @@ TEST_CASE("parameters 5 and 6 of a command without a place are whole numbers of 
   }
 }
 
-TEST_CASE("line 0 is home if it is a waypoint or command 0, and else the first item") {
-  for (int command : {16, 0}) {
-    const Read found = read(kHeader + line(0, command) + line(1, 22));
-    CHECK(found.error == "None");
-    CHECK(found.first == 1);
-    CHECK(found.count == 1);
-    REQUIRE(found.items.size() == 1);
-    CHECK(found.items[0].command == 22);
-  }
+TEST_CASE("line 0 is home if it is a waypoint or command 0, and else the first item, which alone is a plan") {
+  for (int command : {16, 0}) CHECK(planOf(kHeader + line(0, command) + line(1, 22)) == "Mission from 1: 22 0");
   for (int command : {22, 17, 1}) {
-    const Read found = read(kHeader + line(0, command) + line(1, 16));
-    CHECK(found.first == 0);
-    CHECK(found.count == 2);
-    REQUIRE(found.items.size() == 2);
-    CHECK(found.items[1].command == 16);
+    const std::string first = "Mission from 0: " + std::to_string(command) + " 0";
+    CHECK(planOf(kHeader + line(0, command) + line(1, 16)) == first + ", 16 0");
+    CHECK(planOf(kHeader + line(0, command)) == first);
   }
-}
-
-TEST_CASE("one item is a plan, without home too") {
-  CHECK(told(kHeader + line(0, 22)) == "None");
-  CHECK(read(kHeader + line(0, 22)).count == 1);
 }
 
 TEST_CASE("the kind of plan is that of its first item, which all others have") {
@@ -310,33 +312,22 @@ TEST_CASE("the kind of plan is that of its first item, which all others have") {
       CHECK((behindHome.type == one.type));
     }
   }
-  const Read alone = read(kHeader + line(0, 5100) + line(1, 5100));
-  CHECK((alone.type == PlanType::Rally));
-  CHECK(alone.count == 2);
+  CHECK(planOf(kHeader + line(0, 5100) + line(1, 5100)) == "Rally from 0: 5100 0, 5100 0");
   CHECK(told(kHeader + line(0, 5100) + line(1, 5001)) == "3.4 MixedKinds");
 }
 
 TEST_CASE("a jump's target is the sketch's number of an item that is there") {
-  const Read found = read(kBegin + line(1, 177, "1") + line(2, 177, "3") + line(3, 16, "7"));
-  CHECK(found.error == "None");
-  REQUIRE(found.items.size() == 3);
-  CHECK(found.items[0].param1 == 0);
-  CHECK(found.items[1].param1 == 2);
-  CHECK(found.items[2].param1 == 7);  // no jump
-  CHECK(told(kBegin + line(1, 177, "0") + line(2, 16)) == "3.5 BadTarget");
-  CHECK(told(kBegin + line(1, 177, "-1") + line(2, 16)) == "3.5 BadTarget");
-  CHECK(told(kBegin + line(1, 177, "1.5") + line(2, 16)) == "3.5 BadTarget");
-  CHECK(told(kBegin + line(1, 177, "nan") + line(2, 16)) == "3.5 BadTarget");
+  CHECK(planOf(kBegin + line(1, 177, "1") + line(2, 177, "3") + line(3, 16, "7")) ==
+        "Mission from 1: 177 0, 177 2, 16 7");
+  for (const char* target : {"0", "-1", "1.5", "nan"}) {
+    CHECK(told(kBegin + line(1, 177, target) + line(2, 16)) == "3.5 BadTarget");
+  }
   // Whether it is there is known at the end; what is told is the line of the farthest jump.
   CHECK(told(kBegin + line(1, 16) + line(2, 177, "3")) == "4.5 BadTarget");
   CHECK(told(kBegin + line(1, 177, "9") + line(2, 177, "9") + line(3, 177, "4")) == "3.5 BadTarget");
   CHECK(told(kBegin + line(1, 177, "8") + line(2, 177, "9") + line(3, 177, "4")) == "4.5 BadTarget");
   // Without home, items are counted from 0 in the file too.
-  const Read alone = read(kHeader + line(0, 177, "0") + line(1, 177, "1"));
-  CHECK(alone.error == "None");
-  REQUIRE(alone.items.size() == 2);
-  CHECK(alone.items[0].param1 == 0);
-  CHECK(alone.items[1].param1 == 1);
+  CHECK(planOf(kHeader + line(0, 177, "0") + line(1, 177, "1")) == "Mission from 0: 177 0, 177 1");
   CHECK(told(kHeader + line(0, 177, "2") + line(1, 16)) == "2.5 BadTarget");
 }
 
@@ -409,23 +400,18 @@ TEST_CASE("a line whose last field is bad is so at its end") {
 
 TEST_CASE("it is known whether a line, or a field of it, has begun") {
   WaypointsText text;
-  CHECK(text.isAtLineStart());
-  CHECK_FALSE(text.isInField());
-  fed(text, kHeader.substr(0, kHeader.size() - 1));
-  CHECK_FALSE(text.isAtLineStart());
-  CHECK_FALSE(text.isInField());
-  text.take('\n');
-  CHECK(text.isAtLineStart());
-  text.take(' ');
-  CHECK_FALSE(text.isAtLineStart());
-  CHECK_FALSE(text.isInField());
-  text.take('0');
-  CHECK(text.isInField());
-  text.take('\t');
-  CHECK_FALSE(text.isInField());
+  const auto after = [&text](const std::string& characters) {
+    fed(text, characters);
+    return std::string(text.isAtLineStart() ? "line start" : "within") + (text.isInField() ? ", in a field" : "");
+  };
+  CHECK(after("") == "line start");
+  CHECK(after(kHeader.substr(0, kHeader.size() - 1)) == "within");
+  CHECK(after("\n") == "line start");
+  CHECK(after(" ") == "within");
+  CHECK(after("0") == "within, in a field");
+  CHECK(after("\t") == "within");
   // A line that breaks off within a field is one with too few.
-  text.take('0');
-  CHECK(text.take('\n') == Step::Bad);
+  CHECK(fed(text, "0\n") == Step::Bad);
   CHECK((text.error() == TextError::TooFewFields));
 }
 
