@@ -6,14 +6,14 @@ import re
 
 import pytest
 
+import retry_rules
 from building import ROOT
 from measuring import budget
-from refreshing import retries
 from simulation.firmware import library_file
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
 PAGES = sorted((ROOT / "docs" / "design").glob("*.md"))
-RETRIES = retries.DOCUMENT.read_text()
+RETRIES = (ROOT / "docs" / "design" / "retries.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 MOST_LINES = 400
 
@@ -27,10 +27,6 @@ def test_design_is_short_enough_to_be_read_once_and_leads_to_each_of_its_pages()
 # The rules of retrying --------------------------------------------------------
 
 
-def waits_in_the_code() -> dict[str, str]:
-    return retries.values(library_file("RetryRules.h").read_text())
-
-
 def rules() -> list[list[str]]:
     """The cells of each row of the tables of timeouts and retries, without their heads."""
     rows = [[cell.strip() for cell in line.strip("|").split("|")]
@@ -38,57 +34,50 @@ def rules() -> list[list[str]]:
     return [row for row in rows if row[0] != "rule"]
 
 
-def named(cell: str) -> list[tuple[str, str]]:
-    return re.findall(r"`(\w+::\w+)` = ([^,]+)", cell)
+def told() -> dict[str, str]:
+    """Constant -> the rule that has its number."""
+    pairs = [(name, row[0]) for row in rules() for name in re.findall(r"`(\w+::\w+)`", row[1])]
+    assert len(pairs) == len(dict(pairs)), "one is there twice"
+    return dict(pairs)
 
 
-def test_every_wait_in_the_code_is_a_rule_of_the_table_with_its_value():
-    written = [pair for row in rules() for pair in named(row[1])]
-    assert len(written) == len(dict(written)), "one is there twice"
-    assert dict(written) == waits_in_the_code()
+def is_told(rule: str, name: str, number: int) -> bool:
+    if name.endswith("Ms"):
+        return bool(re.search(rf"\b({number} ms|{number / 1000:g} s)\b", rule))
+    return bool(re.search(rf"\b{number} s\b" if name.endswith("S") else rf"(?<![\d.]){number}(?![\d.]*\d)", rule))
+
+
+def test_every_wait_in_the_code_is_a_rule_of_the_table():
+    assert set(told()) == set(retry_rules.constants())
+
+
+def test_every_rule_has_the_number_of_the_code_in_its_words():
+    rule = told()
+    assert rule.pop("ClientRules::defaultLimitS").count("120 s and 2 s for each item") == 1
+    assert retry_rules.constants()["ClientRules::defaultLimitS"] == "120 + 2 * count"
+    assert [name for name in rule if not is_told(rule[name], name, retry_rules.number(name))] == []
+
+
+def test_another_number_or_unit_is_not_the_rule():
+    assert is_told("after 1.5 s", "kMs", 1500) and is_told("after 1500 ms", "kMs", 1500) and is_told("8 s", "kS", 8)
+    assert not is_told("after 11.5 s", "kMs", 500)
+    assert not is_told("after 15 s", "kS", 5) and not is_told("after 8 ms", "kS", 8)
+    assert not is_told("28 times", "kTries", 8) and not is_told("1.8 times", "kTries", 8)
+    assert is_told("up to 8.", "kTries", 8)
 
 
 def test_numbers_of_attempts_in_the_headers_are_those_of_the_code():
-    code = waits_in_the_code()
-    counting = int(code["UploadRules::kCountingMs"]) // int(code["UploadRules::kRepeatMs"])
-    confirming = int(code["UploadRules::kConfirmingMs"]) // int(code["UploadRules::kRepeatMs"]) - 1
+    number = retry_rules.number
+    counting = number("UploadRules::kCountingMs") // number("UploadRules::kRepeatMs")
+    confirming = number("UploadRules::kConfirmingMs") // number("UploadRules::kRepeatMs") - 1
     headers = [file for file in SOURCES.rglob("*.h") if "mavlink" not in file.relative_to(SOURCES).parts]
-    number = r"\b(\d+)(?= attempts| repetitions| times, as)"
-    said = {file.name: re.findall(number, file.read_text()) for file in headers}
+    attempts = r"\b(\d+)(?= attempts| repetitions| times, as)"
+    said = {file.name: [int(found) for found in re.findall(attempts, file.read_text())] for file in headers}
     assert {name: numbers for name, numbers in said.items() if numbers} == {
-        "ItemSink.h": [code["DownloadRules::kItemTries"]],
-        "DownloadTransfer.h": [code["DownloadRules::kListTries"], code["DownloadRules::kItemTries"]],
-        "UploadTransfer.h": [str(counting), str(confirming)], "CommandTransfer.h": [code["CommandRules::kTries"]],
+        "ItemSink.h": [number("DownloadRules::kItemTries")],
+        "DownloadTransfer.h": [number("DownloadRules::kListTries"), number("DownloadRules::kItemTries")],
+        "UploadTransfer.h": [counting, confirming], "CommandTransfer.h": [number("CommandRules::kTries")],
     }  # fmt: skip
-
-
-def test_value_of_the_code_is_put_behind_its_name():
-    row = "| `UploadRules::kRepeatMs` = 7, `UploadRules::kBusyTries` = 8 | seen |"
-    assert retries.with_values(row, {"UploadRules::kRepeatMs": "1 + 2", "UploadRules::kBusyTries": "9"}) == (
-        "| `UploadRules::kRepeatMs` = 1 + 2, `UploadRules::kBusyTries` = 9 | seen |"
-    )
-    with pytest.raises(KeyError, match="kGone"):
-        retries.with_values("| `UploadRules::kGone` = 7 |", waits_in_the_code())
-
-
-def worth(name: str, value: str) -> str:
-    """The number that a constant comes to: it may be a sum with another one of its struct."""
-    struct = name.partition("::")[0]
-    known = waits_in_the_code()
-    return str(sum(int(known.get(f"{struct}::{part}", known.get(part, part))) for part in value.split(" + ")))
-
-
-def test_numbers_in_words_are_those_of_the_code():
-    for rule, constants, _ in rules():
-        for name, written in named(constants):
-            if name.endswith("defaultLimitS"):
-                continue
-            number = worth(name, written)
-            if name.endswith("Ms"):
-                ways = {f"{number} ms", f"{int(number) / 1000:g} s"}
-                assert any(way in rule for way in ways), f"{rule}: {name} is {number}"
-            elif name.endswith("Tries"):
-                assert number in re.findall(r"\d+", rule), f"{rule}: {name} is {number}"
 
 
 def test_each_rule_is_told_in_whole_sentences():

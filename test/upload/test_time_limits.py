@@ -7,15 +7,15 @@ from itertools import pairwise
 
 import pytest
 
+import retry_rules
 from plans import OLD_PLAN, SURVEY, on_the_wire, steps
-from refreshing.retries import documented_s
 from simulation.bench import same_bits
 from simulation.fake_autopilot import mavlink
 
 # millis() moves in steps of 1 and at times 2 ms, and loop() runs each 1.024 ms: so early and so late a wait may end.
 LOOP_S = 0.0022
-REPEAT_S = documented_s("UploadRules::kRepeatMs")
-COUNTING_S = documented_s("UploadRules::kCountingMs")
+REPEAT_S = retry_rules.number("UploadRules::kRepeatMs") / 1000
+COUNTING_S = retry_rules.number("UploadRules::kCountingMs") / 1000
 COUNTS = round(COUNTING_S / REPEAT_S)
 
 

@@ -23,7 +23,7 @@ from pathlib import Path
 from building import ROOT
 from measuring import documents, record
 
-from . import fetched, items, keywords, readback, retries, statuses, wiring
+from . import fetched, items, keywords, readback, statuses, wiring
 
 Files = dict[Path, bytes]
 UPLOADER = "examples/01.First/UploadMission"
@@ -166,7 +166,6 @@ SAMPLES, MADE_FROM = "samples", "made_from"  # tables of test/figures/measured.t
 THINGS = (
     Thing("keywords", text("keywords.txt", keywords.keywords)),
     Thing("commands", text("tools/planning/commands.txt", later("commands", "table"))),
-    Thing("retries", text("docs/design/retries.md", retries.document)),
     Thing("statuses", statuses.pages),
     Thing("docs/wiring.svg", text("docs/wiring.svg", wiring.drawing)),
     table("read-back", readback.table),
