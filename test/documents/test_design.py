@@ -82,7 +82,8 @@ def test_numbers_of_attempts_in_the_headers_are_those_of_the_code():
 
 def test_each_rule_is_told_in_whole_sentences():
     assert [row for row in rules() if len(row) != 2] == []
-    assert [rule for rule, _ in rules() if not re.match(r"[A-Z0-9`*]", rule) or not rule.endswith(".")] == []
+    sentences = re.compile(r"[A-Z0-9`*]((?! [.,;]|  ).)*\.")
+    assert [rule for rule, _ in rules() if not sentences.fullmatch(rule)] == []
 
 
 # The diagrams -----------------------------------------------------------------
