@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 TYPES, FUNCTIONS, CONSTANTS = "KEYWORD1", "KEYWORD2", "LITERAL1"
@@ -24,12 +23,10 @@ DIRECTIVE = re.compile(r"^[ \t]*#(?:.*\\\n)*.*", re.M)
 TOKEN = re.compile(r"[A-Za-z_]\w*|::|[^\sA-Za-z_]")
 WORD = re.compile(r"[A-Za-z_]\w*")
 ATTRIBUTE = re.compile(r"\bMAVMISSION_[A-Z_]+\b(?!\()|__attribute__\s*\(\([^)]*\)\)")
-
-
-class Scope(NamedTuple):
-    kind: str  # "namespace", "class", "enum", or "body": what nobody outside can name
-    name: str
-    is_public: bool
+BLOCK = re.compile(r"([^{};]*)\{([^{}]*)\}")  # with no other within, and what stands before it
+ACCESS = re.compile(r"\b(public|private|protected)\s*:(?!:)")
+FOUND = re.compile(r"(\w+)@(\w+)")  # a name that a block offers, and its kind
+TYPE = ("enum", "class", "struct", "union")
 
 
 def public_headers(root: Path = ROOT) -> list[Path]:
@@ -51,59 +48,53 @@ def included_by_a_sketch(root: Path) -> tuple[list[Path], list[Path]]:
 
 
 def names_in(text: str) -> dict[str, str]:
-    """Each name that this header offers, with its kind."""
+    """Each name that this header offers, with its kind.
+
+    Block after block, from the innermost outward, becomes what it offers to the one around it.
+    """
     text = TEXT.sub('""', COMMENT.sub("", text))
-    found: dict[str, str] = {}
     lists = {name: LISTED.findall(body) for name, body in LIST.findall(text)}
     macros = MACRO.findall(text)
     # A macro that is undefined again, or defined in several ways, is the header's own.
     own = {name for name in macros if macros.count(name) > 1 or f"#undef {name}\n" in text}
-    found.update({name: CONSTANTS for name in [*SETTING.findall(text), *macros] if name not in own})
-    scopes: list[Scope] = []
-    statement: list[str] = []
-    for token in TOKEN.findall(ATTRIBUTE.sub("", DIRECTIVE.sub("", text))):
-        is_offered = all(scope.is_public and scope.kind != "body" for scope in scopes)
-        inside = scopes[-1] if scopes else Scope("namespace", "", True)
-        if token == "{":
-            opened = scope_of(statement)
-            if is_offered:
-                offer(found, statement, inside)
-            scopes.append(opened)
-            statement = []
-        elif token == "}":
-            if is_offered and inside.kind == "enum":
-                offer_enumerator(found, statement, lists)
-            closed = scopes.pop()
-            # A constant's initialiser is not the end of its declaration; a type's or a function's body is.
-            statement = ["="] if closed.kind == "body" and closed.name == "value" else []
-        elif token == ";":
-            if is_offered:
-                offer(found, statement, inside)
-            statement = []
-        elif token == "," and inside.kind == "enum":
-            if is_offered:
-                offer_enumerator(found, statement, lists)
-            statement = []
-        elif token == ":" and statement and statement[-1] in ("public", "private", "protected"):
-            scopes[-1] = inside._replace(is_public=statement[-1] == "public")
-            statement = []
-        else:
-            statement.append(token)
+    found = {name: CONSTANTS for name in [*SETTING.findall(text), *macros] if name not in own}
+    text = DIRECTIVE.sub("", text)
+    for name, listed in lists.items():
+        text = re.sub(rf"\b{name}\(\w+\)", "".join(f"{one}, " for one in listed), text)
+    text, before = ATTRIBUTE.sub("", text), ""
+    while text != before:
+        text, before = BLOCK.sub(folded, text), text
+    for name, kind in FOUND.findall(offered(text, "")):
+        found.setdefault(name, kind)
     return {name: kind for name, kind in found.items() if not name.endswith("_")}
 
 
-def scope_of(statement: list[str]) -> Scope:
-    """What a brace opens behind these words."""
-    words = without_template(statement)
+def folded(block: re.Match) -> str:
+    """The block as statements: what its names are for those outside, or what was declared before its braces."""
+    *before, head = ACCESS.split(block[1])
+    labels = "".join(f"{label}: " for label in before[1::2])
+    words = without_template(TOKEN.findall(head))
     if "namespace" in words:
-        name = words[-1]
-        return Scope("namespace", name, name not in INTERNAL)
-    if "(" in words or "=" in words:
-        return Scope("body", "", False)
-    for word, kind in (("enum", "enum"), ("class", "class"), ("struct", "class"), ("union", "class")):
-        if word in words:
-            return Scope(kind, type_name(words), word != "class")
-    return Scope("body", "", False)
+        return "" if words[-1] in INTERNAL else f"{offered(block[2], '')};"
+    if "(" in words or "=" in words or not (kinds := [kind for kind in TYPE if kind in words]):
+        return f"{labels}{head};"
+    name = type_name(words)
+    if kinds[0] == "enum":
+        inside = " ".join(f"{word}@{CONSTANTS}" for word in re.findall(r"(?:^|,)\s*(\w+)", block[2]))
+    else:
+        inside = offered(public_part(block[2], kinds[0] != "class"), name)
+    return f"{labels}{name}@{TYPES} {inside};" if name else f"{labels}{inside};"
+
+
+def public_part(body: str, is_public: bool) -> str:
+    first, *rest = ACCESS.split(body)
+    return first * is_public + ";".join(part for label, part in zip(rest[::2], rest[1::2], strict=True)
+                                        if label == "public")  # fmt: skip
+
+
+def offered(body: str, owner: str) -> str:
+    """The names that the statements of a class or a namespace offer, each as name@kind."""
+    return " ".join(name for statement in body.split(";") for name in names_of(statement, owner))
 
 
 def without_template(statement: list[str]) -> list[str]:
@@ -118,42 +109,28 @@ def without_template(statement: list[str]) -> list[str]:
 
 
 def type_name(words: list[str]) -> str:
-    rest = [word for word in words[: words.index(":")] if WORD.match(word)] if ":" in words else words
-    named = [word for word in rest if WORD.match(word) and word not in ("enum", "class", "struct", "union", "final")]
+    rest = words[: words.index(":")] if ":" in words else words
+    named = [word for word in rest if WORD.match(word) and word not in (*TYPE, "final")]
     return named[0] if named else ""
 
 
-def offer(found: dict[str, str], statement: list[str], inside: Scope) -> None:
-    words = without_template(statement)
-    if not words or words[0] in ("friend", "using", "namespace", "inline") and "namespace" in words:
-        return
-    if words[0] in ("friend", "using", "static_assert", "extern"):
-        return
+def names_of(statement: str, owner: str) -> list[str]:
+    """Of a statement in a class of this name, or in a namespace."""
+    if found := FOUND.findall(statement):
+        return [f"{name}@{kind}" for name, kind in found]
+    words = without_template(TOKEN.findall(statement))
+    if not words or words[0] in ("friend", "using", "static_assert", "extern") or {"operator", "delete"} & {*words}:
+        return []
     if words[0] == "typedef":
         pointed = re.search(r"\( \* (\w+) \)", " ".join(words))
-        found.setdefault(pointed[1] if pointed else words[-1], TYPES)
-        return
-    if words[0] in ("enum", "class", "struct", "union"):
-        if name := type_name(words):
-            found.setdefault(name, TYPES)
-        return
-    if "operator" in words or "delete" in words:
-        return
+        return [f"{pointed[1] if pointed else words[-1]}@{TYPES}"]
+    if words[0] in TYPE:
+        return [f"{type_name(words)}@{TYPES}"]
     if "(" in words and ("=" not in words or words.index("(") < words.index("=")):
         at = words.index("(")
-        name = words[at - 1] if at else ""
-        is_declared = at > 1 and WORD.match(name) and words[at - 2] not in ("~", ".")
-        if is_declared and name not in ("decltype", inside.name):
-            found.setdefault(name, FUNCTIONS)
-        return
-    if "constexpr" in words and "=" in words:
-        found.setdefault(words[words.index("=") - 1], CONSTANTS)
-
-
-def offer_enumerator(found: dict[str, str], statement: list[str], lists: dict[str, list[str]]) -> None:
-    for word in statement[:1]:
-        for name in lists.get(word, [word]):
-            found.setdefault(name, CONSTANTS)
+        is_declared = at > 1 and WORD.match(words[at - 1]) and words[at - 2] not in ("~", ".")
+        return [f"{words[at - 1]}@{FUNCTIONS}"] if is_declared and words[at - 1] not in ("decltype", owner) else []
+    return [f"{words[words.index('=') - 1]}@{CONSTANTS}"] if "constexpr" in words and "=" in words else []
 
 
 def keywords(root: Path = ROOT) -> str:
