@@ -40,7 +40,7 @@ class Scenario:
     name: str
     items: int
     ends: tuple[str, ...]  # the statuses that are right; the first is the one to be expected
-    prepare: Callable[[Wire, Any], None]
+    prepare: Callable[[Wire, Any], object]
     limit_s: float = 30.0
     steps: tuple[Any, ...] = ()
     is_for: str = "both"
@@ -79,22 +79,6 @@ def nothing(wire: Wire, autopilot: FakeAutopilot) -> None:
     pass
 
 
-def lost_count(wire: Wire, autopilot: FakeAutopilot) -> None:
-    wire.lose(">", name="MISSION_COUNT")
-
-
-def lost_request(wire: Wire, autopilot: FakeAutopilot) -> None:
-    wire.lose("<", name="MISSION_REQUEST*", seq=4)
-
-
-def lost_item(wire: Wire, autopilot: FakeAutopilot) -> None:
-    wire.lose(">", name="MISSION_ITEM_INT", seq=3)
-
-
-def lost_acknowledgement(wire: Wire, autopilot: FakeAutopilot) -> None:
-    wire.lose("<", name="MISSION_ACK")
-
-
 def repeated(wire: Wire, autopilot: FakeAutopilot) -> None:
     wire.repeat(">", name="MISSION_ITEM_INT", times=None)
     wire.repeat("<", name="MISSION_REQUEST*", times=None)
@@ -110,10 +94,6 @@ def frames_lost(wire: Wire, autopilot: FakeAutopilot) -> None:
         wire.at_random(direction, lose=3)
 
 
-def bytes_lost(wire: Wire, autopilot: FakeAutopilot) -> None:
-    wire.damage_bytes(lose=0.1, alter=0.1)
-
-
 def late(wire: Wire, autopilot: FakeAutopilot) -> None:
     wire.set_latency(0.15)
 
@@ -124,10 +104,6 @@ def denied(wire: Wire, autopilot: FakeAutopilot) -> None:
 
 def armed(wire: Wire, autopilot: FakeAutopilot) -> None:
     autopilot.armed = True
-
-
-def cut(wire: Wire, autopilot: FakeAutopilot) -> None:
-    wire.lose(">", name="MISSION_*", times=None)
 
 
 def damage(percent: float, ms: float) -> Callable[[Wire, Any], None]:
@@ -183,18 +159,20 @@ FAILS = "=" + "|".join(MAY_FAIL)
 SCENARIOS = (
     Scenario("nothing is lost", 10, ("Accepted",), nothing),
     Scenario("nothing is lost, 100 items", 100, ("Accepted",), nothing, 60.0),
-    Scenario("the count is lost", 10, ("Accepted",), lost_count),
-    Scenario("a request is lost", 10, ("Accepted",), lost_request),
-    Scenario("an item is lost", 10, ("Accepted",), lost_item),
-    Scenario("the acknowledgement is lost", 10, ("Accepted",), lost_acknowledgement),
+    Scenario("the count is lost", 10, ("Accepted",), lambda wire, _: wire.lose(">", name="MISSION_COUNT")),
+    Scenario("a request is lost", 10, ("Accepted",), lambda wire, _: wire.lose("<", name="MISSION_REQUEST*", seq=4)),
+    Scenario("an item is lost", 10, ("Accepted",), lambda wire, _: wire.lose(">", name="MISSION_ITEM_INT", seq=3)),
+    Scenario("the acknowledgement is lost", 10, ("Accepted",), lambda wire, _: wire.lose("<", name="MISSION_ACK")),
     Scenario("requests and items come twice", 10, ("Accepted",), repeated),
     Scenario("two frames are damaged", 10, ("Accepted",), damaged_frame),
     Scenario("3 of 100 frames are lost", 30, ("Accepted",), frames_lost, 60.0),
-    Scenario("2 of 1000 bytes are lost or altered", 30, ("Accepted",), bytes_lost, 60.0),
+    Scenario("2 of 1000 bytes are lost or altered", 30, ("Accepted",),
+             lambda wire, _: wire.damage_bytes(lose=0.1, alter=0.1), 60.0),
     Scenario("each way takes 150 ms", 10, ("Accepted",), late),
     Scenario("the autopilot denies item 0", 10, ("Denied",), denied, is_for="board"),
     Scenario("the autopilot is armed", 10, ("Armed",), armed, to_fly=True),
-    Scenario("no mission message arrives", 10, ("NoAnswer", "TimedOut"), cut, 60.0),
+    Scenario("no mission message arrives", 10, ("NoAnswer", "TimedOut"),
+             lambda wire, _: wire.lose(">", name="MISSION_*", times=None), 60.0),
 )  # fmt: skip
 
 SIMULATED = (
