@@ -1,4 +1,4 @@
-"""What a fresh Debian has to fetch for each group of tools/setup, by names and sizes of packages.
+"""What a fresh Debian has to fetch for each group of tools/setup.
 
 apt-get computes it on a machine that has Debian's minimal system and what a clone needs (git and python3), whatever is
 installed here. tools/refresh writes the record, test/figures/fetched.toml; of Python's packages it fetches those
@@ -24,7 +24,7 @@ SETUP = ROOT / "tools" / "setup"
 REQUIREMENTS = ROOT / "tools" / "requirements"
 RECORD = ROOT / "test" / "figures" / "fetched.toml"
 GROUPS = ("build", "plan", "demo", "pictures", "playground", "browser", "release", "site", "test")
-# Whose packages are recorded one by one; of the others the sum is, as chromium's and npm's change every month.
+# Whose packages are recorded to the byte; of the others the megabytes are, as chromium's and npm's change every month.
 BOUNDED = ("build", "plan", "demo", "pictures")
 
 # What tools/setup runs beside bash and the installers.
@@ -186,15 +186,13 @@ def written(old: Mapping, wheels: Mapping[str, int]) -> str:
     with tempfile.TemporaryDirectory() as folder:
         status = fresh_machine(Path(folder), old)
         arrivals = {group: fetched(status, asked(group).packages) for group in GROUPS}
-    sizes = {name: size for group in BOUNDED for name, size in arrivals[group].items()}
     lines = [HEAD, f"before = {row(old['before'])}\n", f"minimal = {row(old['minimal'])}\n", "\n[megabytes]\n"]
     for group in GROUPS:
         total = sum(arrivals[group].values()) + python_bytes(group, wheels)
         lines.append(f"{group} = {total / 1e6:.1f}\n")
     lines.append("\n[most]  # megabytes\n" + "".join(f"{group} = {most}\n" for group, most in old["most"].items()))
-    lines.append("\n[packages]\n")
-    lines += [f"{group} = {row(sorted(arrivals[group]))}\n" for group in BOUNDED]
-    lines.append("\n[bytes]\n" + "".join(f'"{name}" = {size}\n' for name, size in sorted(sizes.items())))
+    lines.append("\n[bytes]  # of Debian's packages\n")
+    lines += [f"{group} = {sum(arrivals[group].values())}\n" for group in BOUNDED]
     lines.append("\n[wheels]\n" + "".join(f'"{name}" = {size}\n' for name, size in sorted(wheels.items())))
     return "".join(lines)
 
