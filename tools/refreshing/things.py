@@ -23,7 +23,7 @@ from pathlib import Path
 from building import ROOT
 from measuring import documents, record
 
-from . import fetched, items, keywords, readback, statuses, wiring
+from . import fetched, items, keywords, readback, statuses
 
 Files = dict[Path, bytes]
 UPLOADER = "examples/01.First/UploadMission"
@@ -167,7 +167,6 @@ THINGS = (
     Thing("keywords", text("keywords.txt", keywords.keywords)),
     Thing("commands", text("tools/planning/commands.txt", later("commands", "table"))),
     Thing("statuses", statuses.pages),
-    Thing("docs/wiring.svg", text("docs/wiring.svg", wiring.drawing)),
     table("read-back", readback.table),
     table("items", items.tables),
     section("figures", "figures", "measured_ours", *SIMULATED, more_is_better=("cpu_left_57600", "cpu_left_115200")),
