@@ -19,7 +19,7 @@ from simulation.fake_autopilot.ardupilot_rewriting import mission_item
 from simulation.fake_autopilot.items import f32
 from simulation.fake_autopilot.px4_rewriting import item_as_held
 
-from .scenarios import ENDED, Result, item_of, status_names
+from .scenarios import Result, item_of
 
 COMMANDS = (16, 17, 18, 19, 20, 21, 22, 30, 31, 82, 84, 85, 92, 93, 94, 112, 114, 115, 176, 177, 178, 179, 181, 182,
             183, 184, 189, 195, 197, 201, 205, 206, 207, 211, 212, 222, 2000, 2001, 2500, 42600, 42700)  # fmt: skip
@@ -83,9 +83,7 @@ def play_items(talk: Any, holder: Any, chance: random.Random, result: Result, ro
 def _ended(talk: Any, words: str) -> str | None:
     said = len(talk.lines)
     talk.tell(words)
-    talk.until(lambda: any(ENDED.match(line) for line in talk.lines[said:]), LIMIT_S)
-    found = next((match for line in talk.lines[said:] if (match := ENDED.match(line))), None)
-    return status_names()[int(found[1])] if found else None
+    return talk.ended(said, LIMIT_S)
 
 
 def fakes_differ(rows: list[Row], vehicle: str, version: str) -> Iterator[str]:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from typing import Protocol
 
+from simulation.bench import status_names
 from simulation.fake_autopilot import FakeAutopilot
 from simulation.wire import Wire
 
 LONGEST_SLEEP_S = 0.001  # so late bytes may be noticed
 READ_BYTES = 4096
 ANSWER_S = 3.0
+ENDED = re.compile(r"ended (\d+) ")
 BITS_PER_BYTE = 10  # on a serial line: start, eight, stop
 
 
@@ -78,6 +81,16 @@ class Talk:
         if not self.until(lambda: "ok" in self.lines[before:] or "what?" in self.lines[before:], ANSWER_S):
             raise NoBoard(f"{self.console}: no answer to {words!r}")
         return [line for line in self.lines[before:] if line != "ok"]
+
+
+    def ended(self, said: int, limit_s: float) -> str | None:
+        """The status with which an operation has ended, by a line after so many; None if none comes within the time."""
+
+        def end() -> re.Match | None:
+            return next((found for line in self.lines[said:] if (found := ENDED.match(line))), None)
+
+        self.until(lambda: end() is not None, limit_s)
+        return status_names()[int(found[1])] if (found := end()) else None
 
 
 class Player(Talk):

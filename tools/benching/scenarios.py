@@ -7,12 +7,11 @@ tools/bench plays SCENARIOS, tools/field all but those that need what only a fak
 from __future__ import annotations
 
 import random
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from simulation.bench import aboard_names, status_names
+from simulation.bench import aboard_names
 from simulation.fake_autopilot import ArduPilot, FakeAutopilot, Item, Px4, mavlink
 from simulation.wire import Wire
 from trial_names import GRID
@@ -23,7 +22,6 @@ AUTOPILOTS: dict[str, type[FakeAutopilot]] = {"ArduPilot": ArduPilot, "PX4": Px4
 UPTIME_S = 100.0
 COUNTED = ("bytes", "skipped", "frames", "bad", "lost")  # by the board, since its start
 SAYS_ABOARD = ("Accepted", "Verified", "AlreadyAboard")
-ENDED = re.compile(r"ended (\d+) ")
 FOUND_S = 5.0  # within which the autopilot has sent heartbeats
 SETTLED_S = 0.5  # and the board has heard them
 
@@ -220,10 +218,6 @@ def perform(talk: Any, scenario: Scenario, holder: Any, result: Result, chance: 
     """The scenario's steps, and what is to be said of their end. `holder`: says by received() what is aboard."""
     before = counters(talk)
     said, began = len(talk.lines), talk.now
-
-    def end() -> re.Match | None:
-        return next((found for line in talk.lines[said:] if (found := ENDED.match(line))), None)
-
     for step in scenario.all_steps:
         if callable(step):
             step(talk, holder, chance)
@@ -232,10 +226,8 @@ def perform(talk: Any, scenario: Scenario, holder: Any, result: Result, chance: 
         elif not step.startswith("="):
             said = len(talk.lines)
             talk.tell(step)
-        elif talk.until(lambda: end() is not None, scenario.limit_s):
-            found = end()
-            assert found is not None
-            result.status = status_names()[int(found[1])]
+        elif status := talk.ended(said, scenario.limit_s):
+            result.status = status
             ends = step[1:].split("|")
             if result.status not in ends:
                 result.wrong.append(
