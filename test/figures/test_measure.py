@@ -13,9 +13,9 @@ from collections.abc import Callable
 import pytest
 
 from building import BUILD, ROOT
-from measuring import calls, figures, profiling, record, report, runs, tricks, updates
+from measuring import calls, figures, record, runs, tricks, updates, where
 from measuring.firmware import baseline, measured, ours
-from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
+from measuring.peer import KINDS, Longest, Peer, as_wire, telemetry_frames
 from refreshing import refresh
 from refreshing.things import THINGS
 from simulation.firmware import build_firmware, library_file
@@ -65,7 +65,7 @@ def test_update_stays_within_its_bound(operation):
     for played, ended in updates.courses(operation, *updates.SAMPLE) if is_stale("updates") else ():
         assert ended != 0, "it has not ended: it was not seen whole"
         assert played.watch.calls.count > 0
-        found = played.longest()
+        found = Longest.seen_by([played.watch])
         assert found.waited <= bounds["waited"][1] and found.own <= bounds["own"][1], found
 
 
@@ -92,11 +92,10 @@ def test_two_runs_give_the_same_figures():
 
 
 def test_parser_is_counted_once_per_byte():
-    mega = Mega(ours().built.elf)
-    peer = Peer(mega, serve=False)
-    peer.until_open()
+    peer = Peer(ours().built.elf, serve=False)
+    mega = peer.mega
     polled, read = mega.watch(ours().poll), mega.watch(runs.READ)
-    data = b"".join(telemetry_frames("px4")[:20])
+    data = b"".join(telemetry_frames("PX4")[:20])
     mega.run_until(peer.put(data) + 10 * runs.MS)
     # A poll ends with a read() that finds nothing, or with a frame.
     assert read.calls.count - polled.calls.count <= len(data) <= read.calls.count
@@ -105,20 +104,18 @@ def test_parser_is_counted_once_per_byte():
 @pytest.mark.parametrize("wire", [1, 2])
 def test_baseline_is_measured_in_the_mavlink_that_it_speaks(wire):
     subject = baseline(wire)
-    mega = Mega(subject.built.elf)
-    peer = Peer(mega, "ardupilot", wire, saturate=True)
-    peer.until_open()
+    peer = Peer(subject.built.elf, "ArduPilot", wire, saturate=True)
+    mega = peer.mega
     peer.heartbeat()
     peer.run_until_accepted(runs.SECOND)
     peer.run(20 * runs.MS)
     assert mega.peek_int("accepted") == 1
-    assert all(frame[0] == (0xFE if wire == 1 else 0xFD) for frame in as_wire(telemetry_frames("px4"), wire))
+    assert all(frame[0] == (0xFE if wire == 1 else 0xFD) for frame in as_wire(telemetry_frames("PX4"), wire))
 
 
 def test_saturated_line_has_no_gaps():
-    mega = Mega(measured("each_millisecond", BAUD=57600, WITHOUT_LIBRARY=True))
-    peer = Peer(mega, saturate=True, serve=False)
-    peer.until_open()
+    peer = Peer(measured("each_millisecond", BAUD=57600, WITHOUT_LIBRARY=True), saturate=True, serve=False)
+    mega = peer.mega
     peer.run(100 * runs.MS)
     received = mega.watch(runs.RECEIVED)
     peer.run(runs.SECOND)
@@ -147,9 +144,8 @@ def test_ratio_of_an_upload_cannot_be_better_than_the_line():
 
 
 def test_stall_fills_the_receive_ring():
-    mega = Mega(measured("watched", BAUD=57600))
-    peer = Peer(mega, saturate=True, serve=False)
-    peer.until_open()
+    peer = Peer(measured("watched", BAUD=57600), saturate=True, serve=False)
+    mega = peer.mega
     mega.poke_int("stallMs", 100)
     read = mega.watch(runs.READ)
     peer.run(90 * runs.MS)
@@ -170,7 +166,7 @@ def test_stack_of_update_is_the_deepest_of_the_public_calls():
 def test_stack_of_a_call_is_part_of_the_stack_of_the_upload():
     recorded = record.section("figures")
     deepest = recorded["globals_and_stack"] - recorded["globals"]
-    assert deepest - 60 < max(calls.Caller(kind).upload() for kind in KINDS) < deepest + 60
+    assert deepest - 60 < max(calls.Caller(kind).play(calls.UPLOAD) for kind in KINDS) < deepest + 60
 
 
 def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
@@ -214,7 +210,7 @@ def test_comments_of_the_library_name_no_cost_that_nothing_measures_anew():
 
 
 def test_profile_names_the_library_and_the_core():
-    text = profiling.profile("ardupilot")
+    text = where.profile("ArduPilot")
     assert "mavmission::detail::FrameParser" in text
     assert runs.RECEIVED in text
 
@@ -252,12 +248,6 @@ def test_figure_is_told_of_beyond_its_bound_and_where_a_reader_would_call_the_re
     assert record.beyond({} if known is None else {"one": known}, {"one": fresh}) == said
 
 
-def test_part_of_a_whole_is_told_of_when_a_hundredth_of_the_whole_has_moved():
-    known = {"all": 1000, "large": 900, "gone": 9, "small": 91}
-    assert record.beyond(known, {"all": 1005, "large": 900, "small": 99, "new": 6}, of_the_largest=True) == []
-    assert len(record.beyond(known, {"all": 1000, "large": 900, "small": 79, "new": 21}, of_the_largest=True)) == 2
-
-
 def test_record_is_read_as_it_was_written(tmp_path):
     whole = {"made_with": "gcc", "stack": {"upload()": [6, 7], "a b": {"ram": 3, "time left": 1.5}}}
     (tmp_path / "one.toml").write_text(record.text_of(whole))
@@ -269,7 +259,6 @@ def test_each_figure_that_is_to_be_large_has_its_bound_below():
     recorded = record.load()["figures"]
     assert list(recorded) == [figure.key for figure in figures.FIGURES]
     assert {key for key, (value, bound) in recorded.items() if bound < value} == set(figures.MORE_IS_BETTER)
-    assert report.goals().keys() <= recorded.keys()
 
 
 def test_figures_of_another_compiler_or_other_flags_are_not_compared():

@@ -43,21 +43,21 @@ volatile uint8_t result;
 void nothing(void*, uint16_t, uint16_t) {}
 void over(void*, Status) {}
 
-// In the order of tools/measuring/calls.py. Each by itself, so that no other's registers are saved with its own.
-#define CALL(name, what) \
-  __attribute__((noinline)) void name() { what; }
-CALL(callUpdate, result = static_cast<uint8_t>(autopilot.update()))
-CALL(callUpload, result = static_cast<uint8_t>(autopilot.upload(fromFunction(read, ITEMS))))
-CALL(callCancel, autopilot.cancel())
-CALL(callStatus, result = static_cast<uint8_t>(autopilot.status()))
-CALL(callCounters, result = autopilot.counters().frames)
-CALL(callItems, result = autopilot.failedItem() + autopilot.itemsDone() + autopilot.itemsTotal())
-CALL(callOnProgress, autopilot.onProgress(nothing))
-CALL(callOnEnd, autopilot.onEnd(over))
-CALL(callSetOwnIds, autopilot.setSourceIds(1, 191))
-CALL(callTalkTo, autopilot.setTargetIds(1, 1))
-CALL(callToString, result = toString(autopilot.status()) != nullptr)
-CALL(callAutopilot, result = autopilot.hasAutopilot() + autopilot.isArmed())
+// What is called, by its name in the table of tools/measuring/calls.py, and how.
+#define FEW_CALLS(X)                                                                                    \
+  X(callUpdate, "update()", result = static_cast<uint8_t>(autopilot.update()))                          \
+  X(callUpload, "upload()", result = static_cast<uint8_t>(autopilot.upload(fromFunction(read, ITEMS)))) \
+  X(callCancel, "cancel()", autopilot.cancel())                                                         \
+  X(callStatus, "status()", result = static_cast<uint8_t>(autopilot.status()))                          \
+  X(callCounters, "counters()", result = autopilot.counters().frames)                                   \
+  X(callItems, "failedItem(), itemsDone(), itemsTotal()",                                               \
+    result = autopilot.failedItem() + autopilot.itemsDone() + autopilot.itemsTotal())                   \
+  X(callOnProgress, "onProgress()", autopilot.onProgress(nothing))                                      \
+  X(callOnEnd, "onEnd()", autopilot.onEnd(over))                                                        \
+  X(callSetOwnIds, "setSourceIds()", autopilot.setSourceIds(1, 191))                                    \
+  X(callTalkTo, "setTargetIds()", autopilot.setTargetIds(1, 1))                                         \
+  X(callToString, "toString()", result = toString(autopilot.status()) != nullptr)                       \
+  X(callAutopilot, "hasAutopilot(), isArmed()", result = autopilot.hasAutopilot() + autopilot.isArmed())
 
 #ifdef EVERY_CALL
 const MessageKey keys[] PROGMEM = {messageKey(24, 24, 30)};
@@ -67,33 +67,35 @@ MessageListener messages(autopilot, keys, onMessage);
 LinkDoctor doctor(autopilot);
 MissionItem sink[4];
 const FlightCommand servo = flightCommand(183, 1, 1500);
-CALL(callDownload, result = static_cast<uint8_t>(autopilot.download(toRam(sink))))
-CALL(callVerify, result = static_cast<uint8_t>(autopilot.verify(fromFunction(read, ITEMS))))
-CALL(callClear, result = static_cast<uint8_t>(autopilot.clear()))
-CALL(callUploadAgain, result = static_cast<uint8_t>(autopilot.uploadAgain()))
-CALL(callUploadPart, result = static_cast<uint8_t>(autopilot.uploadPartial(fromFunction(read, ITEMS), 1, 1)))
-CALL(callStart, result = static_cast<uint8_t>(autopilot.start()))
-CALL(callArm, result = static_cast<uint8_t>(autopilot.arm()))
-CALL(callSetMode, result = static_cast<uint8_t>(autopilot.setMode(FlightMode::Auto)))
-CALL(callSetCurrent, result = static_cast<uint8_t>(autopilot.setCurrentItem(1)))
-CALL(callInterval, result = static_cast<uint8_t>(autopilot.setMessageInterval(24, 100000)))
-CALL(callSend, result = static_cast<uint8_t>(autopilot.send(servo)))
-CALL(callIsInMode, result = autopilot.isInMode(FlightMode::Auto))
-CALL(callRetry, autopilot.retryWhenBusy(10))
-CALL(callFloats, autopilot.useMissionItemFallback())
-CALL(callFollowed, result = mission.currentItem() + mission.isOurPlan())
-CALL(callDoctor, result = static_cast<uint8_t>(doctor.update()))
+#define MORE_CALLS(X)                                                                                                  \
+  X(callDownload, "download()", result = static_cast<uint8_t>(autopilot.download(toRam(sink))))                        \
+  X(callVerify, "verify()", result = static_cast<uint8_t>(autopilot.verify(fromFunction(read, ITEMS))))                \
+  X(callClear, "clear()", result = static_cast<uint8_t>(autopilot.clear()))                                            \
+  X(callUploadAgain, "uploadAgain()", result = static_cast<uint8_t>(autopilot.uploadAgain()))                          \
+  X(callUploadPart, "uploadPartial()",                                                                                 \
+    result = static_cast<uint8_t>(autopilot.uploadPartial(fromFunction(read, ITEMS), 1, 1)))                           \
+  X(callStart, "start()", result = static_cast<uint8_t>(autopilot.start()))                                            \
+  X(callArm, "arm(), disarm()", result = static_cast<uint8_t>(autopilot.arm()))                                        \
+  X(callSetMode, "setMode()", result = static_cast<uint8_t>(autopilot.setMode(FlightMode::Auto)))                      \
+  X(callSetCurrent, "setCurrentItem()", result = static_cast<uint8_t>(autopilot.setCurrentItem(1)))                    \
+  X(callInterval, "setMessageInterval()", result = static_cast<uint8_t>(autopilot.setMessageInterval(24, 100000)))     \
+  X(callSend, "send()", result = static_cast<uint8_t>(autopilot.send(servo)))                                          \
+  X(callIsInMode, "isInMode()", result = autopilot.isInMode(FlightMode::Auto))                                         \
+  X(callRetry, "retryWhenBusy()", autopilot.retryWhenBusy(10))                                                         \
+  X(callFloats, "useMissionItemFallback()", autopilot.useMissionItemFallback())                                        \
+  X(callFollowed, "MissionFollower: currentItem(), isOurPlan()", result = mission.currentItem() + mission.isOurPlan()) \
+  X(callDoctor, "LinkDoctor: update()", result = static_cast<uint8_t>(doctor.update()))
+#else
+#define MORE_CALLS(X)
 #endif
 
-void (*const calls[])() = {
-    callUpdate,     callUpload,  callCancel,     callStatus,      callCounters,   callItems,
-    callOnProgress, callOnEnd,   callSetOwnIds,  callTalkTo,      callToString,   callAutopilot,
-#ifdef EVERY_CALL
-    callDownload,   callVerify,  callClear,      callUploadAgain, callUploadPart, callStart,
-    callArm,        callSetMode, callSetCurrent, callInterval,    callSend,       callIsInMode,
-    callRetry,      callFloats,  callFollowed,   callDoctor,
-#endif
-};
+// Each by itself, so that no other's registers are saved with its own.
+#define CALL(function, name, ...) \
+  __attribute__((noinline)) void function() { __VA_ARGS__; }
+#define ADDRESS(function, ...) function,
+FEW_CALLS(CALL)
+MORE_CALLS(CALL)
+void (*const calls[])() = {FEW_CALLS(ADDRESS) MORE_CALLS(ADDRESS)};
 
 void setup() { noInterrupts(); }
 

@@ -1,4 +1,4 @@
-// Every operation of a client with a follower, listeners and a doctor, whose update() can be watched, in a loop that
+// Every operation of a client with a follower and listeners, whose update() can be watched, in a loop that
 // can be made to stall.
 #include <Arduino.h>
 #include <MavMission.h>
@@ -18,9 +18,6 @@ void onMessage(void*, const ReceivedMessage&) { heard = heard + 1; }
 MissionClient autopilot(Serial1);
 MissionFollower mission(autopilot);
 MessageListener messages(autopilot, keys, onMessage);
-#ifdef WITH_DOCTOR
-LinkDoctor doctor(autopilot);
-#endif
 MissionItem sink[30];
 FlightCommand command = {};
 
@@ -67,9 +64,6 @@ void loop() {
     operationDue = 0;
     begin(due);
   }
-#ifdef WITH_DOCTOR
-  doctor.update();
-#endif
   const Status status = measured_update();
   if (isEnd(status)) {
     ended = static_cast<uint8_t>(status);

@@ -11,7 +11,7 @@ if __name__ == "__main__":
     sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
 
 from datagrams import Network  # noqa: E402
-from measuring.report import aligned  # noqa: E402
+from measuring.documents import aligned  # noqa: E402
 from plans import SURVEY, on_the_wire  # noqa: E402
 from udp_client import UdpClient  # noqa: E402
 

@@ -113,7 +113,7 @@ def test_figures_that_were_changed_by_hand_are_stale(made):
 def test_section_is_made_of_each_module_that_measures_it():
     inputs = {thing.name: thing.inputs for thing in THINGS if thing.measure}
     named = {f"tools/measuring/{name}.py" for name in ("figures", "runs", "firmware", "peer")}
-    assert named <= set(inputs["figures"]) and "tools/measuring/report.py" not in inputs["figures"]
+    assert named <= set(inputs["figures"]) and "tools/measuring/documents.py" not in inputs["figures"]
     assert "tools/measuring/calls.py" in inputs["growth"]
 
 

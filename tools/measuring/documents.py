@@ -9,6 +9,8 @@ from pathlib import Path
 
 from building import ROOT
 
+from .record import three_digits
+
 DOCUMENTS = tuple(ROOT / name for name in ("README.md", "DESIGN.md", "docs/measurements.md", "docs/radio.md",
                                            "docs/readback.md", "docs/items.md"))  # fmt: skip
 
@@ -33,3 +35,19 @@ def place_of(name: str) -> Path:
     if len(places) != 1:
         raise ValueError(f"{len(places)} documents have the marks of the table {name!r}, and one must have them")
     return places[0]
+
+
+def rounded(value: float) -> str:
+    return f"{three_digits(value):,}"
+
+
+def aligned(lines: list[list[str]], left: int) -> str:
+    """A Markdown table: the first line is its head, the first `left` columns are words."""
+    widths = [max(len(cell) for cell in column) for column in zip(*lines, strict=True)]
+
+    def line(cells: list[str]) -> str:
+        padded = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(zip(cells, widths, strict=True))]
+        return "| " + " | ".join(padded) + " |"
+
+    rule = ["-" * w if n < left else "-" * (w - 1) + ":" for n, w in enumerate(widths)]
+    return "\n".join([line(lines[0]), line(rule), *(line(cells) for cells in lines[1:])])

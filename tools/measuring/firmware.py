@@ -39,6 +39,6 @@ def baseline(wire: int) -> Subject:
 
 
 @functools.cache
-def measured(name: str, mcu: str = "atmega2560", *, library: bool | Path = True, **defines: object) -> Path:
+def measured(name: str, *, library: bool | Path = True, **defines: object) -> Path:
     """The ELF of test/measured/`name`.cpp, with the library or a changed copy of it."""
-    return build_firmware(f"measured_{name}", [MEASURED / f"{name}.cpp"], defines, mcu, library=library)
+    return build_firmware(f"measured_{name}", [MEASURED / f"{name}.cpp"], defines, library=library)

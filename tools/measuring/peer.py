@@ -7,17 +7,18 @@ the time that passes the firmware's own and the line's.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
-from simulation.fake_autopilot import frames, mavlink
+from simulation import peer
+from simulation.bench import PERSONALITIES
+from simulation.fake_autopilot import FakeAutopilot, frames, mavlink
 from simulation.mega import Mega
-from simulation.recordings import heard, telemetry
+from simulation.mega.measured import Watch
+from simulation.recordings import WITH_STREAMS, heard, telemetry
 
-RECORDINGS = {"ardupilot": "arducopter/clean_then_streams_10hz", "px4": "px4/clean_with_streams"}
-AUTOPILOT = {"ardupilot": mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA, "px4": mavlink.MAV_AUTOPILOT_PX4}
+KINDS = tuple(PERSONALITIES)
 ITEMS = ("MISSION_ITEM_INT", "MISSION_ITEM")
-KINDS = tuple(RECORDINGS)
 
 
 class Frame(NamedTuple):
@@ -29,14 +30,33 @@ class Frame(NamedTuple):
     left: int  # the end of its last stop bit
 
 
+class Longest(NamedTuple):
+    """One update() [cycles]: as the sketch waits for it, and without the interrupt routines in it."""
+
+    waited: int
+    own: int
+
+    @classmethod
+    def seen_by(cls, watches: list[Watch]) -> Longest:
+        """Where each watched a run of its own."""
+        calls = [watch.calls for watch in watches]
+        return cls(max(one.longest for one in calls), max(one.longest_own for one in calls))
+
+
+def quickest(kind: str, **options) -> FakeAutopilot:
+    """A fake autopilot that answers at once, unless the options say otherwise."""
+    filled = {"response_delay_s": 0.0, "heartbeat_at_s": 0.05, "uptime_s": 60.0, **options}
+    return PERSONALITIES[kind](**filled)
+
+
 def telemetry_frames(kind: str, wire: int = 2) -> list[bytes]:
     """What a real autopilot sent beside missions, commands and texts."""
-    return as_wire([frame for _, frame in telemetry(RECORDINGS[kind])], wire)
+    return as_wire([frame for _, frame in telemetry(WITH_STREAMS[kind])], wire)
 
 
 def everything_heard(kind: str, wire: int = 2) -> bytes:
     """All that a real autopilot sent, telemetry and missions, byte by byte."""
-    return b"".join(as_wire([one.frame for one in heard(RECORDINGS[kind]) if one.direction == "<"], wire))
+    return b"".join(as_wire([one.frame for one in heard(WITH_STREAMS[kind]) if one.direction == "<"], wire))
 
 
 def as_wire(recorded: list[bytes], wire: int) -> list[bytes]:
@@ -53,7 +73,17 @@ def as_wire(recorded: list[bytes], wire: int) -> list[bytes]:
     return converted
 
 
-class Peer:
+class Line:
+    """A firmware that runs, has opened Serial1, and is joined to somebody there."""
+
+    def __init__(self, elf: Path) -> None:
+        self.mega = Mega(elf)
+        self.port = self.mega.serial(1)
+        while not self.port.listening:
+            self.mega.run_us(100)
+
+
+class Peer(Line):
     """The other end of Serial1.
 
     `saturate`: telemetry fills what its answers leave of the line to the Mega.
@@ -61,10 +91,9 @@ class Peer:
     """
 
     def __init__(
-        self, mega: Mega, kind: str = "ardupilot", wire: int = 2, *, saturate: bool = False, serve: bool = True
+        self, elf: Path, kind: str = "ArduPilot", wire: int = 2, *, saturate: bool = False, serve: bool = True
     ) -> None:
-        self.mega = mega
-        self.port = mega.serial(1)
+        super().__init__(elf)
         self.kind = kind
         self.wire = wire
         self.serve = serve
@@ -75,15 +104,8 @@ class Peer:
         self._splitter = frames.FrameSplitter()
         self._bytes: list[tuple[int, int]] = []  # (written, left) of the frame that is coming
         self._count = 0
-        self._telemetry: Iterator[bytes] | None = None
         self._free_at = 0
-        if saturate:
-            self._telemetry = itertools.cycle(telemetry_frames(kind, wire))
-
-    def until_open(self) -> None:
-        """Run until the firmware listens."""
-        while not self.port.listening:
-            self.mega.run_us(100)
+        self._telemetry = itertools.cycle(telemetry_frames(kind, wire)) if saturate else None
 
     @property
     def byte_cycles(self) -> float:
@@ -105,21 +127,13 @@ class Peer:
         return self._free_at
 
     def heartbeat(self) -> int:
-        return self.say(
-            mavlink.MAVLink_heartbeat_message(
-                mavlink.MAV_TYPE_QUADROTOR, AUTOPILOT[self.kind], 0, 0, mavlink.MAV_STATE_STANDBY, 3
-            )
-        )
+        return self.say(peer.heartbeat(PERSONALITIES[self.kind].autopilot_type))
 
     def request(self, seq: int, at: int | None = None) -> int:
-        kind = "" if self.kind == "ardupilot" else "_int"
-        message = getattr(mavlink, f"MAVLink_mission_request{kind}_message")
-        return self.say(message(1, mavlink.MAV_COMP_ID_ONBOARD_COMPUTER, seq, 0), at)
+        return self.say((peer.request if self.kind == "ArduPilot" else peer.request_int)(seq), at)
 
     def accept(self, at: int | None = None) -> int:
-        self.accepted_at = self.say(
-            mavlink.MAVLink_mission_ack_message(1, mavlink.MAV_COMP_ID_ONBOARD_COMPUTER, 0, 0), at
-        )
+        self.accepted_at = self.say(peer.ack(), at)
         return self.accepted_at
 
     def run(self, cycles: int) -> None:

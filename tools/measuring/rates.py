@@ -17,7 +17,7 @@ from pathlib import Path
 from building import ROOT
 from simulation.host_build import FAST, HOST, build_host
 
-from .report import aligned
+from .documents import aligned
 
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
 HEARING = ROOT / "simulation" / "hearing" / "Hearing.cpp"

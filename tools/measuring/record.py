@@ -102,24 +102,16 @@ def pairs(recorded: Section, fresh: Section, before: str = "") -> Iterator[tuple
             yield f"{before}{name}", old, new
 
 
-def beyond(
-    recorded: Section, fresh: Section, *, more_is_better: tuple[str, ...] = (), of_the_largest: bool = False
-) -> list[str]:
+def beyond(recorded: Section, fresh: Section, *, more_is_better: tuple[str, ...] = ()) -> list[str]:
     """In words, each figure that has passed its bound, or is more than 1 % away from what is recorded, so that a reader
-    would call the record wrong. `of_the_largest`: 1 % of the largest figure there, of which the others are parts."""
+    would call the record wrong."""
     found = []
-    largest = max((new for _, _, new in pairs({}, fresh)), default=0) if of_the_largest else None
     for name, old, new in pairs(recorded, fresh):
-        if of_the_largest:
-            old, new = old or 0, new or 0
-        if old is None or new is None:
-            found.append(f"{name}: {measured(old)} is recorded, and {new} was measured: run tools/refresh")
-            continue
         was, bound = measured(old), old[1] if isinstance(old, list) else None
-        whole = was if largest is None else largest
-        if bound is not None and is_broken(new, bound, name.rpartition(", ")[2] in more_is_better):
+        is_missing = was is None or new is None
+        if not is_missing and bound is not None and is_broken(new, bound, name.rpartition(", ")[2] in more_is_better):
             found.append(f"{name}: {new} is beyond its bound {bound}")
-        elif abs(new - was) > bound_of(abs(whole)) - abs(whole):
+        elif is_missing or abs(new - was) > bound_of(abs(was)) - abs(was):
             found.append(f"{name}: {was} is recorded, and {new} was measured: run tools/refresh")
     return found
 

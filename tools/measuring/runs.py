@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 from typing import NamedTuple
 
-from simulation.mega import Mega
 from simulation.mega.measured import Watch
 
 from .firmware import Subject, measured
-from .peer import KINDS, Peer, everything_heard
+from .peer import KINDS, Longest, Peer, everything_heard
 
 HZ = 16_000_000
 MS = HZ // 1000
@@ -41,19 +41,17 @@ def parsing(subject: Subject, bytes_each: int = 30_000) -> Cost:
     """
     total, count, worst = 0.0, 0, 0
     for kind in KINDS:
-        mega = Mega(subject.built.elf)
-        peer = Peer(mega, kind, subject.wire, serve=False)
-        peer.until_open()
-        byte = mega.watch(subject.parse)
-        polled = mega.watch(subject.poll or subject.parse)
-        read = mega.watch(READ) if subject.poll else None
+        peer = Peer(subject.built.elf, kind, subject.wire, serve=False)
+        byte = peer.mega.watch(subject.parse)
+        polled = peer.mega.watch(subject.poll or subject.parse)
+        read = peer.mega.watch(READ) if subject.poll else None
 
-        mega.run_cycles(10 * MS)
+        peer.mega.run_cycles(10 * MS)
         # Each takes the same; the last one may have begun only.
         each_poll = round(_own_of(polled, read) / polled.calls.count) if subject.poll else 0
         before, polls = _own_of(polled, read), polled.calls.count
         data = everything_heard(kind, subject.wire)[:bytes_each]
-        mega.run_until(peer.put(data) + 10 * MS)
+        peer.mega.run_until(peer.put(data) + 10 * MS)
         total += _own_of(polled, read) - before - each_poll * (polled.calls.count - polls)
         count += len(data)
         worst = max(worst, byte.calls.longest_own)
@@ -74,14 +72,12 @@ def deepest_stack(subject: Subject, phases: int = 8) -> int:
     deepest = 0
     for kind in KINDS:
         for phase in range(phases):
-            mega = Mega(subject.built.elf)
-            peer = Peer(mega, kind, subject.wire, saturate=True)
-            peer.until_open()
+            peer = Peer(subject.built.elf, kind, subject.wire, saturate=True)
             peer.heartbeat()
-            mega.run_cycles(357 * phase)
+            peer.mega.run_cycles(357 * phase)
             peer.run_until_accepted(10 * SECOND)
             peer.run(20 * MS)
-            deepest = max(deepest, mega.deepest_stack)
+            deepest = max(deepest, peer.mega.deepest_stack)
     return deepest
 
 
@@ -113,12 +109,10 @@ def turnaround_of_repeats(subject: Subject, phases: int = 16) -> int:
 
 def transfer(subject: Subject, kind: str) -> Iterator[tuple[Peer, Watch, int]]:
     """An upload, just before each item is to be asked for."""
-    mega = Mega(subject.built.elf)
-    peer = Peer(mega, kind, subject.wire, serve=False)
-    peer.until_open()
+    peer = Peer(subject.built.elf, kind, subject.wire, serve=False)
     peer.heartbeat()
     items = peer.run_until_heard("MISSION_COUNT").message.count
-    received = mega.watch(RECEIVED)
+    received = peer.mega.watch(RECEIVED)
     for seq in range(items):
         peer.heartbeat()
         peer.run(20 * MS)
@@ -142,33 +136,23 @@ def answer_time(peer: Peer, received: Watch, seq: int, phase: int) -> int:
     return written - interrupted_at if len(peer.heard) == 1 else 0
 
 
-class Longest(NamedTuple):
-    """One update() [cycles]: as the sketch waits for it, and without the interrupt routines in it."""
-
-    waited: int
-    own: int
+UPDATE = "measured_update"
 
 
-def longest_update(bauds: tuple[int, ...] = (57600, 115200), stalls_ms: tuple[int, ...] = (0, 6, 20, 100)) -> Longest:
+def longest_update() -> Longest:
     """In any state of an upload, on a line full of telemetry, with a loop that stalls or does not."""
-    waited = own = 0
-    for baud in bauds:
-        elf = measured("watched", BAUD=baud)
-        for kind in KINDS:
-            for stall_ms in stalls_ms:
-                mega = Mega(elf)
-                peer = Peer(mega, kind, saturate=True)
-                peer.until_open()
-                watch = mega.watch("measured_update")
-                mega.poke_int("stallMs", stall_ms)
-                begun = 0
-                # A heartbeat may be lost in a stall: it is said again.
-                while peer.accepted_at is None and begun < 40:
-                    peer.heartbeat()
-                    peer.run(SECOND // 2 + 7 * MS * (begun % 9))  # another phase of the stalls each time
-                    begun += 1
-                waited, own = max(waited, watch.calls.longest), max(own, watch.calls.longest_own)
-    return Longest(waited, own)
+    watches = []
+    for baud, kind, stall_ms in product((57600, 115200), KINDS, (0, 6, 20, 100)):
+        peer = Peer(measured("watched", BAUD=baud), kind, saturate=True)
+        watches.append(peer.mega.watch(UPDATE))
+        peer.mega.poke_int("stallMs", stall_ms)
+        begun = 0
+        # A heartbeat may be lost in a stall: it is said again.
+        while peer.accepted_at is None and begun < 40:
+            peer.heartbeat()
+            peer.run(SECOND // 2 + 7 * MS * (begun % 9))  # another phase of the stalls each time
+            begun += 1
+    return Longest.seen_by(watches)
 
 
 # Bytes that make a parser look at each of them again and again.
@@ -182,24 +166,20 @@ HOSTILE = (
 )
 
 
-def longest_update_of_hostile_bytes(baud: int = 115200) -> Longest:
+def longest_update_of_hostile_bytes() -> Longest:
     """The same with a line full of bytes that were chosen to cost the most."""
-    waited = own = 0
-    elf = measured("watched", BAUD=baud)
+    watches = []
     for pattern in HOSTILE:
-        mega = Mega(elf)
-        peer = Peer(mega, serve=False)
-        peer.until_open()
+        peer = Peer(measured("watched", BAUD=115200), serve=False)
         peer.heartbeat()
         peer.run(50 * MS)
-        watch = mega.watch("measured_update")
+        watches.append(peer.mega.watch(UPDATE))
         for stall_ms in (0, 20):
-            mega.poke_int("stallMs", stall_ms)
-            end = mega.cycle + 200 * MS
-            while mega.cycle < end:
-                mega.run_until(peer.put(pattern) - 400)
-        waited, own = max(waited, watch.calls.longest), max(own, watch.calls.longest_own)
-    return Longest(waited, own)
+            peer.mega.poke_int("stallMs", stall_ms)
+            end = peer.mega.cycle + 200 * MS
+            while peer.mega.cycle < end:
+                peer.mega.run_until(peer.put(pattern) - 400)
+    return Longest.seen_by(watches)
 
 
 class Upload(NamedTuple):
@@ -215,15 +195,13 @@ class Upload(NamedTuple):
 
 def upload_of(items: int) -> Upload:
     """An upload of so many waypoints at 57600 baud, nothing else on the line."""
-    mega = Mega(measured("many_items", ITEMS=items))
-    peer = Peer(mega)
+    peer = Peer(measured("many_items", ITEMS=items))
     peer.port.peer_baud = 57600
-    peer.until_open()
     while not any(frame.message.get_type() == "MISSION_COUNT" for frame in peer.heard):
         peer.heartbeat()
         peer.run(SECOND // 2)
     begun = next(frame for frame in peer.heard if frame.message.get_type() == "MISSION_COUNT")
-    while peer.accepted_at is None or mega.cycle < peer.accepted_at:
+    while peer.accepted_at is None or peer.mega.cycle < peer.accepted_at:
         peer.heartbeat()  # it would be given up for lost
         peer.run(2 * SECOND)
     sent = sum(frame.length for frame in peer.heard if frame.message.get_type().startswith("MISSION_"))
@@ -243,14 +221,12 @@ def cpu_left(baud: int, *, library: bool | Path = True, seconds: float = 1.0) ->
     elf = measured("each_millisecond", library=library or True, **defines)
     left = []
     for kind in KINDS:
-        mega = Mega(elf)
-        peer = Peer(mega, kind, saturate=True, serve=False)
-        peer.until_open()
+        peer = Peer(elf, kind, saturate=True, serve=False)
         peer.heartbeat()
         peer.run(100 * MS)
-        called = [mega.watch(name) for name in ("measured_update", "measured_write")]
-        interrupts = [mega.watch(name) for name in INTERRUPTS]
-        begun, lost = mega.cycle, peer.port.lost
+        called = [peer.mega.watch(name) for name in (UPDATE, "measured_write")]
+        interrupts = [peer.mega.watch(name) for name in INTERRUPTS]
+        begun, lost = peer.mega.cycle, peer.port.lost
         peer.run(round(seconds * SECOND))
         if peer.port.lost != lost:
             raise RuntimeError(
@@ -258,5 +234,5 @@ def cpu_left(baud: int, *, library: bool | Path = True, seconds: float = 1.0) ->
             )
         taken = sum(watch.calls.cycles + watch.calls.count * RESPONSE_CYCLES for watch in interrupts)
         taken += sum(watch.calls.own_cycles for watch in called)
-        left.append(100 * (1 - taken / (mega.cycle - begun)))
+        left.append(100 * (1 - taken / (peer.mega.cycle - begun)))
     return min(left)

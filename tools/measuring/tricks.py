@@ -11,8 +11,8 @@ from building import BUILD, elf_sizes
 from simulation.firmware import LIBRARY, digest, exclusive, library_file
 
 from . import features, runs
+from .documents import aligned
 from .firmware import MEASURED
-from .report import aligned
 
 FILE = MEASURED / "tricks.toml"
 
@@ -56,14 +56,14 @@ def undone(trick: Trick) -> Path:
 
 
 def taken(library: Path = LIBRARY) -> Taken:
-    flash, ram = elf_sizes(features.built("upload", library=library))
+    flash, ram = elf_sizes(features.built(features.PLAIN, library=library))
     return Taken(flash, ram, runs.cpu_left(57600, library=library, seconds=0.2))
 
 
-def table(of: dict[str, Trick] | None = None) -> str:
+def table() -> str:
     now = taken()
     lines = [["without it", "flash", "globals", "CPU left, 57600 baud saturated"]]
-    for why, trick in (of or tricks()).items():
+    for why, trick in tricks().items():
         other = taken(undone(trick))
         lines.append([why, f"{other.flash - now.flash:+,}", f"{other.globals - now.globals:+,}",
                       f"{round(other.cpu_left - now.cpu_left, 1) + 0.0:+.1f} %"])  # fmt: skip

@@ -7,18 +7,15 @@ operation to its end; the line to the Mega is full of what a real autopilot sent
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from itertools import product
 
-from simulation.fake_autopilot import ArduPilot, Px4
-from simulation.mega import Mega
-from simulation.recordings import saturated
+from simulation.recordings import WITH_STREAMS, saturated
 
 from .firmware import measured
-from .peer import RECORDINGS
+from .peer import KINDS, Line, Longest, quickest
 from .record import Section
 
 GOAL = 16_000  # 1 ms
-PERSONALITIES = {"ardupilot": ArduPilot, "px4": Px4}
 
 # By the numbers that test/measured/service.cpp takes them by.
 OPERATIONS = {
@@ -36,27 +33,17 @@ STALLS_MS = (0, 4, 6, 20, 100)
 BAUDS = (57600, 115200)
 # A full line is read in such a loop. One that stalls longer loses bytes, and what reads a plan then takes very long.
 SAMPLE = (57600,), (4,)
-ENOUGH_S = 10.0  # for an operation, or for what it does over and over
+UPLOAD = "upload and read back"
+UPLOAD_S, ENOUGH_S = 20.0, 10.0  # for an operation, or for what it does over and over
 SLICE_CYCLES = 16_000
 
 
-class Longest(NamedTuple):
-    """One update() [cycles]: as the sketch waits for it, and without the interrupt routines in it."""
-
-    waited: int
-    own: int
-
-
-class Played:
+class Played(Line):
     """The firmware and an autopilot, on a full line, operation after operation."""
 
-    def __init__(self, kind: str, baud: int, **defines: object) -> None:
-        self.mega = Mega(measured("service", BAUD=baud, **defines))
-        self.autopilot = PERSONALITIES[kind](baud=baud, telemetry=saturated(RECORDINGS[kind], baud),
-                                             response_delay_s=0.0, heartbeat_at_s=0.05, uptime_s=60.0)  # fmt: skip
-        self.port = self.mega.serial(1)
-        while not self.port.listening:
-            self.mega.run_us(100)
+    def __init__(self, kind: str, baud: int) -> None:
+        super().__init__(measured("service", BAUD=baud))
+        self.autopilot = quickest(kind, baud=baud, telemetry=saturated(WITH_STREAMS[kind], baud))
         self.watch = self.mega.watch("measured_update")
 
     def run(self, seconds: float, *, until_ended: bool = False) -> None:
@@ -72,43 +59,31 @@ class Played:
             if until_ended and self.mega.peek_int("ended", 1):
                 return
 
-    def play(self, operation: int, seconds: float = ENOUGH_S) -> int:
+    def play(self, operation: str, seconds: float = ENOUGH_S) -> int:
         """Run it to its end, or for so long; the number of its Status, or 0."""
         self.mega.poke_int("ended", 0, 1)
-        self.mega.poke_int("operationDue", operation, 1)
+        self.mega.poke_int("operationDue", OPERATIONS[operation], 1)
         self.run(seconds, until_ended=True)
         return self.mega.peek_int("ended", 1)
-
-    def stall(self, milliseconds: int) -> None:
-        self.mega.poke_int("stallMs", milliseconds, 2)
-
-    def longest(self) -> Longest:
-        return Longest(self.watch.calls.longest, self.watch.calls.longest_own)
 
 
 def courses(operation: str, bauds=BAUDS, stalls=STALLS_MS) -> Iterator[tuple[Played, int]]:
     """The operation after an upload, on each line and in each loop, and how it ended there (0: not yet)."""
-    for kind in PERSONALITIES:
-        for baud in bauds:
-            for stall_ms in stalls:
-                played = Played(kind, baud)
-                played.run(0.2)
-                if operation != "upload and read back":
-                    played.play(OPERATIONS["upload and read back"], 20.0)
-                played.watch.forget()
-                played.stall(stall_ms)
-                yield played, played.play(OPERATIONS[operation])
+    for kind, baud, stall_ms in product(KINDS, bauds, stalls):
+        played = Played(kind, baud)
+        played.run(0.2)
+        if operation != UPLOAD:
+            played.play(UPLOAD, UPLOAD_S)
+        played.watch.forget()
+        played.mega.poke_int("stallMs", stall_ms, 2)
+        yield played, played.play(operation)
 
 
-def longest_update(operation: str, bauds=BAUDS, stalls=STALLS_MS) -> dict[str, int]:
-    """Of one operation, on each line and in each loop [cycles]."""
-    found = [played.longest() for played, _ in courses(operation, bauds, stalls)]
-    return {"waited": max(one.waited for one in found), "own": max(one.own for one in found)}
-
-
-def longest_updates() -> Section:
-    return {operation: longest_update(operation) for operation in OPERATIONS}
+def longest_updates(*course: tuple[int, ...]) -> Section:
+    """Of each operation, on each line and in each loop, or on these alone [cycles]."""
+    return {operation: Longest.seen_by([played.watch for played, _ in courses(operation, *course)])._asdict()
+            for operation in OPERATIONS}  # fmt: skip
 
 
 def sample() -> Section:
-    return {operation: longest_update(operation, *SAMPLE) for operation in OPERATIONS}
+    return longest_updates(*SAMPLE)

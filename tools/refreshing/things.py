@@ -27,9 +27,9 @@ from . import fetched, items, keywords, readback, statuses
 
 Files = dict[Path, bytes]
 UPLOADER = "examples/01.First/UploadMission"
-COMPILED = ("src", "test/measured", UPLOADER, "tools/building.py", "simulation/firmware.py")
-SIMULATED = (*COMPILED, "simulation", "tools/measuring/firmware.py", "tools/measuring/peer.py")
-WRITING = {"record", "report"}  # of tools/measuring: what writes figures down, and measures none
+COMPILED = ("src", UPLOADER, "tools/building.py", "simulation/firmware.py")
+SIMULATED = (*COMPILED, "simulation")
+WRITING = {"record", "documents"}  # of tools/measuring: what writes figures down, and measures none
 HOST = ("src", "simulation/host_build.py", "simulation/hearing", "test/host/Frames.cpp", "test/host/arduino")
 
 
@@ -45,12 +45,10 @@ class Thing:
     # Of a section of test/figures/measured.toml, what is measured, and how it is compared.
     measure: Callable[[], record.Section] | None = None
     more_is_better: tuple[str, ...] = ()
-    is_whole: bool = False  # its largest figure, of which the others are parts: these have no bounds
 
     def beyond(self, fresh: record.Section) -> list[str]:
         """What of it is beyond its bound, or far from what is recorded."""
-        return record.beyond(record.load()[self.name], fresh, more_is_better=self.more_is_better,
-                             of_the_largest=self.is_whole)  # fmt: skip
+        return record.beyond(record.load()[self.name], fresh, more_is_better=self.more_is_better)
 
     def broken(self) -> list[str]:
         """What of the record is beyond its bound."""
@@ -82,6 +80,11 @@ def table(name: str, make: Callable[[], str], *inputs: str, **more) -> Thing:
     return Thing(name, made, inputs, **more)
 
 
+def measured(name: str, module: str, function: str, *inputs: str) -> Thing:
+    """A table that is measured, and not kept elsewhere."""
+    return table(name, later(module, function), *inputs, *modules_of(module))
+
+
 def recorded(name: str, make: Callable[..., str], *sections: str) -> Thing:
     """A table of what is in test/figures/measured.toml."""
     return table(name, lambda: make(*map(record.section, sections)))
@@ -89,15 +92,18 @@ def recorded(name: str, make: Callable[..., str], *sections: str) -> Thing:
 
 @functools.cache
 def modules_of(name: str) -> tuple[str, ...]:
-    """This one of tools/measuring, and those that it measures with."""
+    """This one of tools/measuring, the sketches that it runs, and the modules that it measures with."""
     file = f"tools/measuring/{name}.py"
-    imports = re.findall(r"^from \.(\w*) import (.*)$", (ROOT / file).read_text(), re.M)
+    text = (ROOT / file).read_text()
+    imports = re.findall(r"^from \.(\w*) import (.*)$", text, re.M)
     others = {other for module, names in imports for other in ([module] if module else names.split(", "))} - WRITING
-    return tuple(dict.fromkeys([file, *(one for other in sorted(others) for one in modules_of(other))]))
+    sketches = [f"test/measured/{sketch}.cpp" for sketch in re.findall(r'measured\("(\w+)"', text)]
+    own = [file, *sketches, *["test/measured/items.h"] * bool(sketches)]
+    return tuple(dict.fromkeys([*own, *(one for other in sorted(others) for one in modules_of(other))]))
 
 
 def section(name: str, module: str, function: str, *inputs: str, has_bounds: bool = True,
-            more_is_better: tuple[str, ...] = (), is_whole: bool = False, **more) -> Thing:  # fmt: skip
+            more_is_better: tuple[str, ...] = (), **more) -> Thing:  # fmt: skip
     """Of test/figures/measured.toml."""
     measure = later(module, function)
     inputs = tuple(dict.fromkeys([*inputs, *modules_of(module)]))
@@ -106,10 +112,10 @@ def section(name: str, module: str, function: str, *inputs: str, has_bounds: boo
         fresh = measure()
         whole = record.load()
         bounded = record.with_bounds(fresh, whole.get(name), more_is_better=more_is_better)
-        whole[name] = bounded if has_bounds and not is_whole else fresh
+        whole[name] = bounded if has_bounds else fresh
         return {record.FILE: in_order(whole).encode()}
 
-    return Thing(name, made, inputs, measure=measure, more_is_better=more_is_better, is_whole=is_whole, **more)
+    return Thing(name, made, inputs, measure=measure, more_is_better=more_is_better, **more)
 
 
 def in_order(whole: dict) -> str:
@@ -175,20 +181,18 @@ THINGS = (
     section("features", "features", "features", *COMPILED),
     section("stack", "calls", "stacks", *SIMULATED),
     section("updates", "updates", "longest_updates", *SIMULATED, sample=later("updates", "sample"), share=record.SHARE),
-    section("signing", "signing", "costs", *SIMULATED, more_is_better=("0 ms", "1 ms", "2 ms", "5 ms")),
-    section("work", "work", "costs", *SIMULATED),
-    section("growth", "growth", "costs", *SIMULATED),
-    section("RAM budget", "budget", "sizes", *COMPILED, is_whole=True),
-    section("flash budget", "flash", "sizes", *COMPILED, is_whole=True),
-    recorded("in short", later("report", "in_short"), "figures"),
-    recorded("measured", later("report", "for_documents"), "figures", "baseline"),
+    section("signing", "costs", "signing", *SIMULATED, more_is_better=("0 ms", "1 ms", "2 ms", "5 ms")),
+    section("work", "costs", "work", *SIMULATED),
+    section("growth", "costs", "growth", *SIMULATED),
+    recorded("in short", later("figures", "in_short"), "figures"),
+    recorded("measured", later("figures", "for_documents"), "figures", "baseline"),
     recorded("features", later("features", "table"), "features"),
-    recorded("signing", later("signing", "table"), "signing"),
-    recorded("work", later("work", "table"), "work"),
-    recorded("growth", later("growth", "table"), "growth"),
-    table("quiet transfers", later("quieting", "table"), *SIMULATED, "tools/measuring/quieting.py"),
-    table("files", later("file_times", "for_documents"), *SIMULATED, "tools/measuring/file_times.py"),
-    table("rates", later("rates", "for_documents"), *HOST, "test/rates", "test/explorer", "tools/measuring/rates.py"),
+    recorded("signing", later("costs", "signing_table"), "signing"),
+    recorded("work", later("costs", "work_table"), "work"),
+    recorded("growth", later("costs", "growth_table"), "growth"),
+    measured("quiet transfers", "times", "quiet_transfers", *SIMULATED),
+    measured("files", "times", "files", *SIMULATED),
+    measured("rates", "rates", "for_documents", *HOST, "test/rates", "test/explorer"),
     table("udp", udp, *HOST, "simulation/fake_autopilot", "test/day/client.cpp", "test/support/udp_rates.py",
           "test/support/udp_client.py", "test/support/datagrams.py"),
     timeline("docs/upload.svg"),

@@ -1,14 +1,87 @@
-"""What signing costs: cycles of hashing, the longest update(), items and frames in time."""
+"""What grows with a plan, what takes long in one call, and what signing costs."""
 
 from __future__ import annotations
 
 from simulation.bench import Bench, FunctionPlan
 from simulation.fake_autopilot import mavlink
+from simulation.mega import Mega
 from simulation.signing_program import KEY, signer
 
+from .calls import UPLOAD, Caller
+from .documents import aligned, rounded
+from .firmware import measured
 from .record import Section
-from .report import aligned, rounded
-from .work import sha256_block
+from .runs import HZ, upload_of
+
+# How an upload at 57600 baud grows with its plan: RAM does not, time does -----------
+
+PLANS = (10, 100, 1_000, 10_000)
+
+
+def growth() -> Section:
+    """Of plans of so many items: globals and the stack of update(), interrupts apart [bytes], and the upload [s]."""
+    return {str(items): {"ram": ram_for(items), "seconds": round(upload_of(items).cycles / HZ, 2)} for items in PLANS}
+
+
+def ram_for(items: int) -> int:
+    caller = Caller("PX4", items)
+    return caller.mega.globals_bytes + caller.play(UPLOAD)
+
+
+def growth_table(costs: Section) -> str:
+    lines = [["items", "RAM [bytes]", "time [s]", "time per item [ms]"]]
+    lines += [[f"{int(items):,}", rounded(cost["ram"]), f"{cost['seconds']:.1f}",
+               f"{1000 * cost['seconds'] / int(items):.1f}"] for items, cost in costs.items()]  # fmt: skip
+    return aligned(lines, left=0)
+
+
+# One call by itself, beside update() -----------------------------------------------
+
+# By the numbers that test/measured/work.cpp takes them by, and the function in it that is watched.
+TEXT, BEGIN, BLOCK = (1, "measured_take"), (2, "measured_begin"), (3, "measured_block")
+MOST_WAYPOINTS = 127  # of a file, in a Mega's EEPROM
+MOST_MS = 20_000  # for any of it: EEPROM is slow to write
+
+HEAD = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t-35.36326210\t149.16523740\t584.090000\t1\n"
+# As Mission Planner writes them, and the worst that may be there.
+USUAL = "1\t0\t3\t16\t2.50000000\t0.00000000\t0.00000000\t0.00000000\t-35.36145000\t149.16523740\t20.300000\t1\n"
+WORST = "1\t0\t3\t16\t9.999999999999999999e-44\t0\t0\t0\t0\t0\t0\t1\n"
+WORK = {
+    "`WaypointsText::take()`, of numbers as Mission Planner writes them": (TEXT, HEAD + USUAL),
+    "the same, of a number of 19 digits near the smallest float": (TEXT, HEAD + WORST),
+    f"`EepromPlan::begin()`, {MOST_WAYPOINTS} waypoints kept": (BEGIN, ""),
+}
+
+
+def longest(work: tuple[int, str], text: str = "") -> int:
+    """The longest call [cycles], interrupts apart."""
+    number, function = work
+    mega = Mega(measured("work", ITEMS=MOST_WAYPOINTS))
+    mega.run_ms(5)
+    watch = mega.watch(function)
+    mega.poke("characters", text.encode() + b"\0")
+    mega.poke_int("workDue", number)
+    for _ in range(MOST_MS):
+        mega.run_ms(1)
+        if not mega.peek_int("workDue"):
+            break
+    if mega.peek_int("workDue") or not mega.peek_int("isGood"):
+        raise RuntimeError(f"{function} did not do what it should")
+    return watch.calls.longest_own
+
+
+def work() -> Section:
+    """[cycles]"""
+    return {call: longest(*done) for call, done in WORK.items()}
+
+
+def work_table(costs: Section) -> str:
+    lines = [["one call", "cycles", "ms"]]
+    return aligned(lines + [[call, rounded(cycles), f"{1000 * cycles / HZ:.2g}"] for call, cycles in costs.items()],
+                   left=1)  # fmt: skip
+
+
+# Signing ----------------------------------------------------------------------------
 
 SIGNED, PLAIN = "signed", "not signed"
 HASH, PIECE = "a block of SHA-256", "the longest piece of hashing in an update()"
@@ -100,10 +173,10 @@ def accepted(on: Bench) -> int:
     return int(line.partition("accepted=")[2].split()[0])
 
 
-def costs() -> Section:
+def signing() -> Section:
     """Cycles, milliseconds and frames, as the rows of the table name them."""
     return {
-        HASH: sha256_block(),
+        HASH: longest(BLOCK),
         PIECE: longest_piece(),
         UPDATE: {name: longest_update(signed=name == SIGNED) for name in (SIGNED, PLAIN)},
         ITEM: {name: round(item_ms(signed=name == SIGNED), 1) for name in (SIGNED, PLAIN)},
@@ -111,7 +184,7 @@ def costs() -> Section:
     }
 
 
-def table(costs: Section) -> str:
+def signing_table(costs: Section) -> str:
     """As the documents have it."""
     loops, frames = (" / ".join(map(str, part)) for part in (LOOPS_MS, costs[FRAMES].values()))
     return aligned([
