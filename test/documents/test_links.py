@@ -11,7 +11,7 @@ import pytest
 from building import ROOT
 
 UNTRACKED = {"build", ".git", "node_modules", ".pytest_cache"}
-SOURCES = (".h", ".cpp", ".ino", ".py", ".toml", ".js", ".svg", ".html", "")
+SOURCES = (".h", ".cpp", ".ino", ".py", ".toml", ".js", ".svg", ".html", ".yml", "")
 
 
 def files(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
@@ -56,21 +56,6 @@ def dead(document: Path) -> list[str]:
     return found
 
 
-def beyond_the_site(document: Path, text: str) -> list[str]:
-    """Links of a page to files that tools/site leaves out: a reader there would find nothing."""
-    targets = re.findall(r"\]\((?!https?:|mailto:|#|\.\./\.\./actions/)([^)#\s]+)", without_code(text))
-    places = {target: (document.parent / target).resolve().relative_to(ROOT) for target in targets}
-    return [target for target, place in places.items()
-            if place.parts[0] not in ("docs", "examples") and len(place.parts) > 1]  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    "page", sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]), ids=lambda file: file.name
-)
-def test_page_links_to_nothing_that_the_site_leaves_out(page):
-    assert beyond_the_site(page, page.read_text()) == []
-
-
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda file: str(file.relative_to(ROOT)))
 def test_every_link_leads_to_a_file_and_a_heading(document):
     assert dead(document) == []
@@ -101,9 +86,9 @@ def test_document_and_heading_that_the_first_documents_name_are_there():
     assert found_in(sorted(ROOT.glob("*.md"))) == {}
 
 
-@pytest.mark.parametrize("folder", ["src", "examples", "simulation", "tools", "test", "docs"])
+@pytest.mark.parametrize("folder", ["src", "examples", "simulation", "tools", "test", "docs", ".github"])
 def test_document_and_heading_that_a_file_names_are_there(folder):
     sources = [file for file in files(ROOT / folder, (*SOURCES, ".md")) if "mavlink/" not in str(file)
                and "recordings" not in file.parts and file.name != Path(__file__).name]  # fmt: skip
-    assert len(sources) > 10
+    assert len(sources) > 5
     assert found_in(sources) == {}

@@ -45,7 +45,3 @@ def test_no_status_is_explained_that_there_is_not():
     others = {"Serial1", "SoftwareSerial", "TelemetryPause", "PlanFiles", "MissionFollower",
               *listed("ItemField.h", "FIELDS"), *listed("Status.h", "ABOARD")}  # fmt: skip
     assert named() - set(status_names()) - set(verdict_names()) - others == set()
-
-
-def test_the_readme_leads_to_it():
-    assert "](docs/troubleshooting.md)" in (ROOT / "README.md").read_text()

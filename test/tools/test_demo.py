@@ -15,15 +15,11 @@ from rich.console import Console
 
 from building import ROOT, build_sketch
 from demonstration import demonstration as inside
-from demonstration.conversation import Conversation
-from demonstration.demonstration import Demonstration, NoDemonstration, Settings
+from demonstration.demonstration import Demonstration, Settings
 from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
-from demonstration.wire_form import on_the_wire
-from demonstration.words import message_in_words
 from examples import example_folders
-from simulation.fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
-from simulation.wire import Entry
+from simulation.fake_autopilot import MISSION, ArduPilot, item, mavlink
 
 SKETCHES = Path(__file__).resolve().parents[1] / "demonstrated"
 AUTOPILOTS = ["ardupilot", "px4"]
@@ -111,81 +107,13 @@ def test_each_example_runs_to_a_good_end(example, autopilot):
     assert good, text
 
 
-SET_MODE, REQUEST = mavlink.MAV_CMD_DO_SET_MODE, mavlink.MAV_CMD_REQUEST_MESSAGE
 ACCEPTED, IN_PROGRESS = mavlink.MAV_RESULT_ACCEPTED, mavlink.MAV_RESULT_IN_PROGRESS
-
-
-def order(command: int, first: float, confirmation: int = 0):
-    return ">", mavlink.MAVLink_command_long_message(1, 1, command, confirmation, first, 0, 0, 0, 0, 0, 0), ""
-
-
-def answer(command: int, result: int, fate: str = ""):
-    return "<", mavlink.MAVLink_command_ack_message(command, result), fate
-
-
-def first_item(name: str, fate: str = ""):
-    """A message about the first item: the Mega sets it, the autopilot says that it is the current one."""
-    way, values = ("<", (0,)) if name == "mission_current" else (">", (1, 1, 0))
-    return way, getattr(mavlink, f"MAVLink_{name}_message")(*values), fate
-
-
-def acknowledged(result: int, fate: str = ""):
-    return "<", mavlink.MAVLink_mission_ack_message(255, 190, result), fate
-
-
-REFUSED = mavlink.MAV_MISSION_INVALID_SEQUENCE
-SET_ITEM, CURRENT, COUNT = first_item("mission_set_current"), first_item("mission_current"), first_item("mission_count")
-
-
-@pytest.mark.parametrize(
-    "talk, again",
-    [
-        ([SET_ITEM, SET_ITEM], [False, True]),
-        ([SET_ITEM, CURRENT, SET_ITEM], [False, False, False]),
-        ([SET_ITEM, first_item("mission_current", "lost"), SET_ITEM], [False, False, True]),
-        ([COUNT, acknowledged(0), COUNT], [False, False, False]),
-        ([COUNT, acknowledged(0, "lost"), COUNT], [False, False, True]),
-        ([COUNT, acknowledged(REFUSED), COUNT], [False, False, True]),
-        ([order(SET_MODE, 1), order(SET_MODE, 1, 1)], [False, True]),
-        ([order(SET_MODE, 1), order(REQUEST, 1), order(SET_MODE, 2)], [False, False, False]),
-        ([order(SET_MODE, 1), answer(SET_MODE, ACCEPTED), order(SET_MODE, 1)], [False, False, False]),
-        ([order(SET_MODE, 1), answer(REQUEST, ACCEPTED), order(SET_MODE, 1)], [False, False, True]),
-        ([order(SET_MODE, 1), answer(SET_MODE, ACCEPTED, "lost"), order(SET_MODE, 1)], [False, False, True]),
-        ([order(SET_MODE, 1), answer(SET_MODE, IN_PROGRESS), order(SET_MODE, 1)], [False, False, True]),
-        ([order(SET_MODE, 1), *2 * [answer(SET_MODE, ACCEPTED)]], [False, False, True]),
-        (2 * [order(SET_MODE, 1), answer(SET_MODE, ACCEPTED)], [False, False, False, False]),
-    ],
-)
-def test_order_is_said_again_until_it_is_answered(talk, again):
-    heard = Conversation()
-    assert [heard.add(Entry(0.0, way, 0, message, b"", fate)) for way, message, fate in talk] == again
-
-
-def test_order_and_its_answer_have_the_name_of_the_command():
-    place = mavlink.MAVLink_command_int_message(1, 1, 6, 192, 0, 0, -1, 0, 0, float("nan"), -353632621, 1491652374, 20)
-    assert [message_in_words(message, b"") for _, message, _ in (
-        order(SET_MODE, 1), order(31999, 0), answer(SET_MODE, ACCEPTED), answer(SET_MODE, 77), (">", place, ""),
-        order(REQUEST, 0), order(REQUEST, 42), order(REQUEST, 60999), answer(REQUEST, ACCEPTED), SET_ITEM,
-    )] == [
-        "COMMAND_LONG DO_SET_MODE (1: 1)", "COMMAND_LONG command 31999", "COMMAND_ACK DO_SET_MODE ACCEPTED",
-        "COMMAND_ACK DO_SET_MODE 77",
-        "COMMAND_INT DO_REPOSITION (1: -1, 4: unset, 5: -353632621, 6: 1491652374, 7: 20)",
-        "COMMAND_LONG REQUEST_MESSAGE HEARTBEAT", "COMMAND_LONG REQUEST_MESSAGE MISSION_CURRENT",
-        "COMMAND_LONG REQUEST_MESSAGE message 60999", "COMMAND_ACK REQUEST_MESSAGE ACCEPTED",
-        "MISSION_SET_CURRENT 0",
-    ]  # fmt: skip
 
 
 def test_lost_and_repeated_frames_are_marked():
     good, text = shown(autopilot="px4", loss_percent=25, seed=1)
     assert good, text
     assert "[lost]" in text and "[again]" in text
-
-
-def test_same_seed_shows_the_same_and_another_seed_another():
-    first = shown(loss_percent=20, seed=5)
-    assert shown(loss_percent=20, seed=5) == first
-    assert shown(loss_percent=20, seed=6) != first
 
 
 @pytest.mark.slow
@@ -282,14 +210,8 @@ def test_several_plans_must_be_told_apart():
         plan_in(elf, "east")
 
 
-def test_unknown_example_is_refused_with_those_there_are():
-    with pytest.raises(NoDemonstration, match=r"did you mean UploadMission\? There are .*, DownloadMission, "):
-        shown("UplaodMission")
-    with pytest.raises(NoDemonstration, match="no example Xyz; there are CheckParameters, "):
-        shown("Xyz")
-
-
 # The form on the wire -------------------------------------------------------
+
 
 TAKEOFF, LAND, WAYPOINT, JUMP, DELAY = (
     mavlink.MAV_CMD_NAV_TAKEOFF,
@@ -299,15 +221,6 @@ TAKEOFF, LAND, WAYPOINT, JUMP, DELAY = (
     mavlink.MAV_CMD_NAV_DELAY,
 )
 A, B = item(WAYPOINT, x=1, y=2), item(WAYPOINT, x=3, y=4)
-
-
-def test_fakes_take_the_form_on_the_wire():
-    plan = [item(TAKEOFF, z=10), A, B, item(JUMP, frame=2, param1=1, param2=2), item(LAND)]
-    for name, autopilot in (("ardupilot", ArduPilot()), ("px4", Px4())):
-        sent = on_the_wire(plan, name)
-        autopilot.load(sent)
-        assert autopilot.received() == sent
-        assert [one.command for one in sent[-len(plan) :]] == [one.command for one in plan]
 
 
 # The tool -------------------------------------------------------------------

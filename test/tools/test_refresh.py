@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 
 import pytest
 
-from building import ROOT
 from measuring import documents, record
 from refreshing import refresh
-from refreshing.things import THINGS, Thing, in_order, shown, shows_the_same
+from refreshing.things import THINGS, Thing, in_order
 
 
 def said_by(things: list[Thing], **more) -> list[str]:
@@ -32,12 +29,6 @@ def test_each_place_for_a_table_is_written_by_the_tool():
     texts = [place.read_text() for place in documents.DOCUMENTS]
     marked = [name for text in texts for name in re.findall(r"<!-- ([\w -]+): begin -->", text)]
     assert len(set(marked)) == len(marked) and set(marked) <= {thing.name for thing in THINGS}
-
-
-def test_names_of_two_are_the_same_only_for_a_section_of_the_record_and_its_table():
-    names = [thing.name for thing in THINGS if not thing.measure]
-    assert len(set(names)) == len(names)
-    assert all((ROOT / place).exists() for thing in THINGS for place in thing.inputs)
 
 
 def test_record_is_as_the_tool_writes_it():
@@ -81,27 +72,6 @@ def test_what_its_inputs_make_stale_is_made_once_and_told_of(made):
     assert len(made.times) == 3
 
 
-def test_what_has_no_inputs_is_made_each_time_and_written_only_where_it_differs(made):
-    thing = made(inputs=())
-    said_by([thing])
-    assert said_by([thing]) == [] and len(made.times) == 2
-    (made.folder / "made").write_text("one\none\nthree\n")
-    stale = []
-    assert not refresh.check([thing], stale.append) and stale == ["text: made is not as it would be made"]
-    assert said_by([thing]) == ["text: made is written anew", "  -three"]
-
-
-def test_where_the_sample_is_as_before_nothing_more_is_measured(made):
-    taken = {"one": 100, "two": {"a": 2}}
-    thing = made(sample=lambda: taken, share=0.01)
-    said_by([thing])
-    for change, times in ((101, 1), (99, 1), (102, 2), (102, 2)):
-        taken["one"] = change
-        (made.folder / "source").write_text(f"{change}\n")
-        said_by([thing])
-        assert len(made.times) == times and refresh.check([thing], pytest.fail)
-
-
 def test_figures_that_were_changed_by_hand_are_stale(made):
     thing = made(measure=dict)
     said_by([thing])
@@ -110,23 +80,4 @@ def test_figures_that_were_changed_by_hand_are_stale(made):
     assert refresh.is_stale(thing)
 
 
-def test_section_is_made_of_each_module_that_measures_it():
-    inputs = {thing.name: thing.inputs for thing in THINGS if thing.measure}
-    named = {f"tools/measuring/{name}.py" for name in ("figures", "runs", "firmware", "peer")}
-    assert named <= set(inputs["figures"]) and "tools/measuring/documents.py" not in inputs["figures"]
-    assert "tools/measuring/calls.py" in inputs["growth"]
-
-
-def test_picture_is_the_same_that_says_the_same_with_other_figures():
-    picture = "<svg xmlns='svg'><text>{}</text></svg>"
-    one, later, other = (picture.format(words).encode() for words in ("ACK 1.25 s", "ACK 1.5 s", "ACK, lost 1.25 s"))
-    assert shown(one) == {"ACK  s"}
-    assert shows_the_same(one, later) and not shows_the_same(one, other)
-
-
 # The tool -------------------------------------------------------------------------
-
-
-def test_tool_names_what_there_is():
-    ran = subprocess.run([sys.executable, ROOT / "tools" / "refresh", "--list"], capture_output=True, text=True)
-    assert [line.partition(":")[0] for line in ran.stdout.splitlines()] == [thing.name for thing in THINGS]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import posixpath
 import re
 import shutil
@@ -15,9 +14,8 @@ import pytest
 import building
 from building import ROOT, build_sketch
 from examples import example_folder
-from linting import lint
 from publishing import notes_of, prepare_version, steps
-from releasing import NotReady, files_of, problems, release, versions, write_site, write_zip
+from releasing import files_of, problems, release, versions, write_zip
 
 
 @pytest.fixture
@@ -49,52 +47,20 @@ def change(library: Path, file: str, old: str, new: str) -> None:
     (library / file).write_text(text.replace(old, new))
 
 
-def test_library_that_is_ready_is_released(library, tmp_path):
-    made = release(library, tmp_path / "out")
-    assert made.name == "MavMission-1.2.3.zip"
-    assert zipfile.ZipFile(made).namelist() == [
-        "MavMission/README.md", "MavMission/examples/01.First/One/One.ino", "MavMission/src/MavMission.h",
-    ]  # fmt: skip
-
-
 @pytest.mark.parametrize(("file", "old", "new", "says"), [
     ("library.json", '"1.2.3"', '"1.2.4"', "library.json says version 1.2.4, library.properties 1.2.3"),
     ("src/MavMission.h", "1.2.3", "1.2", "src/MavMission.h says version 1.2,"),
     ("library.properties", "1.2.3", "one", "version=one is not of the form 1.2.3"),
     ("CHANGELOG.md", "## [1.2.3] - 2031-04-05", "## [Unreleased]", "head it ## [1.2.3]"),
     ("CHANGELOG.md", "## [1.2.3]", "## [Unreleased]\n- More.\n\n## [1.2.3]", "Unreleased belongs to this release"),
-    ("CHANGELOG.md", "[1.2.3]", "[1.2.4]", "no heading ## [1.2.3]"),
-    ("CHANGELOG.md", " - 2031-04-05", "", "ends with its day"),
     ("CHANGELOG.md", "- All.", "", "says nothing of 1.2.3"),
-    ("CHANGELOG.md", "[1.2.2]", "[1.2.3-rc1]", None),
-    ("CHANGELOG.md", "## [1.2.3]", "## [2.0.0] - 2031-05-05\n- Most.\n\n## [1.2.3]", "1.2.3 is not the first version"),
     ("README.md", "(examples/01.First/One/One.ino)", "(elsewhere)", "does not name examples/01.First/One/One.ino"),
     ("README.md", "[One]", "[one]", "not committed: README.md"),
 ])  # fmt: skip
 def test_library_that_is_not_ready_is_refused_in_words(library, file, old, new, says):
     change(library, file, old, new)
     found = problems(library, snapshot=False)
-    assert says is None or [line for line in found if says in line], found
-    assert found, "it is not committed, at the least"
-
-
-def test_example_without_its_sketch_and_file_that_is_not_committed_are_refused(library, tmp_path):
-    (library / "examples" / "01.First" / "Two").mkdir()
-    (library / "src" / "new.cpp").write_text("")
-    with pytest.raises(NotReady, match="not committed: src/new.cpp\nTwo: Arduino wants examples/01.First/Two/Two.ino"):
-        release(library, tmp_path)
-
-
-def test_snapshot_needs_no_changelog_and_no_commit_but_one_version(library, tmp_path):
-    change(library, "CHANGELOG.md", "## [1.2.3] - 2031-04-05", "## [Unreleased]")
-    assert release(library, tmp_path, snapshot=True).name == "MavMission-1.2.3-snapshot.zip"
-    change(library, "src/MavMission.h", "1.2.3", "1.2.4")
-    with pytest.raises(NotReady, match="MavMission.h says version 1.2.4"):
-        release(library, tmp_path, snapshot=True)
-
-
-def tag(library: Path, name: str) -> None:
-    subprocess.run(["git", "tag", name], cwd=library, check=True)
+    assert [line for line in found if says in line], found
 
 
 def commit(library: Path) -> None:
@@ -103,17 +69,12 @@ def commit(library: Path) -> None:
 
 
 def test_version_that_another_commit_has_is_not_released_again(library):
-    tag(library, "v1.2.3")
+    subprocess.run(["git", "tag", "v1.2.3"], cwd=library, check=True)
     assert problems(library, snapshot=False) == []
     change(library, "README.md", "[One]", "[Another]")
     commit(library)
     (said,) = problems(library, snapshot=False)
     assert said.startswith("v1.2.3 is another commit's tag")
-
-
-def test_tag_of_another_version_is_refused(library):
-    tag(library, "v1.2.4")
-    assert problems(library, snapshot=False) == ["this commit has the tag v1.2.4, and its version is 1.2.3"]
 
 
 def test_version_is_written_wherever_it_stands_and_is_ready_when_it_is_committed(library):
@@ -125,68 +86,7 @@ def test_version_is_written_wherever_it_stands_and_is_ready_when_it_is_committed
     assert problems(library, snapshot=False) == []
     assert notes_of(library, "1.3.0") == "### Added\n- More.\n"
     assert "# Changelog\n\n## [1.3.0] - 2031-06-07\n" in (library / "CHANGELOG.md").read_text()
-    prepare_version(library, "1.3.0", "2031-06-08")  # on another day, before its tag
-    assert "# Changelog\n\n## [1.3.0] - 2031-06-08\n" in (library / "CHANGELOG.md").read_text()
     assert steps(library, "1.3.0")[1] == "git tag -a v1.3.0 -m 1.3.0 && git push URL HEAD:main v1.3.0"
-    tag(library, "v1.3.0")
-    assert steps(library, "1.3.0")[1] == "git push URL HEAD:main v1.3.0"
-
-
-@pytest.mark.parametrize(("version", "unreleased", "url", "says"), [
-    ("1.3", "- More.", None, "1.3 is not of the form 1.2.3"),
-    ("1.3.0", "", None, "says nothing under Unreleased, nor of 1.3.0"),
-    ("1.2.3", "- More.", None, "has a version 1.2.3 already"),
-    ("1.3.0", "- More.", "here", "here is not of the form https://"),
-])  # fmt: skip
-def test_version_that_cannot_be_is_not_written_anywhere(library, version, unreleased, url, says):
-    change(library, "CHANGELOG.md", "## [1.2.3]", f"## [Unreleased]\n{unreleased}\n## [1.2.3]")
-    before = {file: file.read_bytes() for file in library.rglob("*.*") if file.is_file()}
-    with pytest.raises(NotReady, match=says):
-        prepare_version(library, version, "2031-06-07", url)
-    assert {file: file.read_bytes() for file in before} == before
-
-
-def test_where_the_repository_is_is_asked_for_until_it_is_written(library):
-    assert "--prepare 1.2.3 --url URL" in steps(library, "1.2.3")[0]
-    for url in ("https://here.example/a/MavMission", "https://there.example/MavMission"):
-        prepare_version(library, "1.2.3", "2031-04-05", url)
-        assert json.loads((library / "library.json").read_text())["repository"] == {"type": "git", "url": f"{url}.git"}
-        assert f"\nurl={url}\n" in (library / "library.properties").read_text()
-        assert steps(library, "1.2.3")[0] == f"the repository is {url}"
-        assert f"git push {url} HEAD:main v1.2.3" in steps(library, "1.2.3")[1]
-
-
-# Lints as arduino-lint does: prints its findings, and ends with 1 where there are some.
-LINTER = """#!/bin/sh
-for folder; do :; done
-test -f "$folder/src/MavMission.h" || exit 3
-echo "$@" > {said}
-grep -q "version=1.2.3" "$folder/library.properties" && exit 0
-echo "ERROR: another version"
-exit 1
-"""
-
-
-def test_zip_is_linted_where_the_linter_is_installed(library, tmp_path, monkeypatch):
-    monkeypatch.setenv("PATH", "/usr/bin:/bin")
-    include = '"include": ["src", "examples", "README.md"'
-    change(library, "library.json", include, f'{include}, "library.properties"')
-    commit(library)
-    made = release(library, tmp_path / "out")
-    assert lint(made, library, "1.2.3") is None
-    said = tmp_path / "said"
-    (tmp_path / "arduino-lint").write_text(LINTER.format(said=said))
-    (tmp_path / "arduino-lint").chmod(0o700)
-    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    assert lint(made, library, "1.2.3") == ""
-    assert "--compliance strict --library-manager submit " in said.read_text()
-    tag(library, "v1.2.3")
-    assert lint(made, library, "1.2.3") == "" and " submit " in said.read_text()
-    tag(library, "v1.2.2")
-    assert lint(made, library, "1.2.3") == "" and " update " in said.read_text()
-    change(library, "library.properties", "1.2.3", "1.2.4")
-    write_zip(library, made, files_of(library))
-    assert lint(made, library, "1.2.4") == "ERROR: another version"
 
 
 def test_zip_depends_on_nothing_but_the_files(library, tmp_path):
@@ -199,19 +99,6 @@ def test_zip_depends_on_nothing_but_the_files(library, tmp_path):
     (copy / "src" / ".hidden").write_text("")
     write_zip(copy, tmp_path / "second.zip", files_of(copy))
     assert (tmp_path / "second.zip").read_bytes() == first.read_bytes()
-
-
-def test_site_is_packed_whole_and_the_same_site_makes_the_same_zip(tmp_path):
-    (tmp_path / "site" / "docs").mkdir(parents=True)
-    (tmp_path / "site" / "index.html").write_text("one")
-    (tmp_path / "site" / "docs" / "bench.html").write_text("two")
-    archives = [tmp_path / "one.zip", tmp_path / "two.zip"]
-    for archive in archives:
-        write_site(tmp_path / "site", archive)
-    assert archives[0].read_bytes() == archives[1].read_bytes()
-    with zipfile.ZipFile(archives[0]) as packed:
-        assert packed.namelist() == ["MavMission-site/docs/bench.html", "MavMission-site/index.html"]
-        assert packed.read("MavMission-site/index.html") == b"one"
 
 
 # The zip of this library ------------------------------------------------------

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import io
 import itertools
 import re
@@ -15,13 +14,9 @@ from pathlib import Path
 import pytest
 
 from building import ROOT
-from demonstration import demonstration as inside
-from demonstration.demonstration import Demonstration, NoDemonstration, Settings
-from demonstration.frame_names import BadName
+from demonstration.demonstration import Demonstration, Settings
 from demonstration.named_frames import NamedFrame
-from demonstration.picture import with_room
 from demonstration.screen import PlainScreen
-from demonstration.timeline import Mark
 from refreshing.things import shows_the_same
 
 PAGES = [ROOT / "docs" / "simulation.md", ROOT / "docs" / "design" / "proof.md"]
@@ -40,10 +35,6 @@ def run(**settings) -> tuple[Demonstration, str]:
 def words_in(picture: Path) -> str:
     return "\n".join("".join(element.itertext()) for element in ElementTree.parse(picture).iter()
                      if element.tag.endswith("}text"))  # fmt: skip
-
-
-def at(began: float, label: str = "ITEM", direction: str = ">", for_s: float = 0.01, **more) -> Mark:
-    return Mark(direction, began, began + for_s, label, **more)
 
 
 # The pictures in the documents ----------------------------------------------
@@ -93,16 +84,6 @@ def test_each_frame_takes_its_bytes_time_and_none_overlaps_another():
         assert all(after[0] >= before[1] - 1e-6 for before, after in itertools.pairwise(spans))
 
 
-@pytest.mark.slow
-def test_picture_is_the_same_on_a_computer_that_is_too_slow(tmp_path, monkeypatch):
-    run(timeline=tmp_path / "fast.svg")
-    slow_clock = itertools.accumulate(itertools.cycle((0.0003, 0.9, 0.002)))  # [s], behind by minutes in the end
-    slow = functools.partial(inside.RealTime, clock=lambda: next(slow_clock), sleep=lambda seconds: None)
-    monkeypatch.setattr(inside, "RealTime", lambda mega, **pace: slow(mega))
-    run(timeline=tmp_path / "slow.svg")
-    assert (tmp_path / "slow.svg").read_text() == (tmp_path / "fast.svg").read_text()
-
-
 # Losing a frame by its name -------------------------------------------------
 
 
@@ -113,37 +94,4 @@ def test_named_frame_is_lost_and_no_other():
     assert "MISSION_ITEM_INT:3 lost" in text.splitlines()[0]
 
 
-def test_name_without_a_number_is_the_first_and_stars_stand_for_letters():
-    _, text = run(lose=(NamedFrame("MISSION_REQ*"), NamedFrame("MISSION_COUNT")))
-    lost = [re.search(r"MISSION_\w+", line)[0] for line in text.splitlines() if "[lost]" in line]
-    assert lost == ["MISSION_COUNT", "MISSION_REQUEST"]
-
-
-def test_frame_that_never_came_is_told():
-    _, text = run(lose=(NamedFrame("MISSION_ACK:7"),))
-    assert "--lose MISSION_ACK:7: no such frame was sent, and so none was lost" in text
-
-
-@pytest.mark.parametrize(("text", "says"), [
-    ("MISSION_AKC:1", "no message MISSION_AKC; those of a mission are .*MISSION_ACK"),
-    ("MISSION_ACK:0", "1 for the first"), ("MISSION_ACK:", "1 for the first"), ("MISSION_ACK:x", "1 for the first"),
-    ("", "no message"),
-])  # fmt: skip
-def test_name_of_no_frame_is_refused(text, says):
-    with pytest.raises(BadName, match=says):
-        NamedFrame(text)
-
-
-def test_run_without_a_mission_has_no_timeline(tmp_path):
-    with pytest.raises(NoDemonstration, match="nothing of a mission crossed the line"):
-        run(example="FlyByButtons", described={"limit_s": 1.0}, timeline=tmp_path / "none.svg")
-
-
 # Laying it out --------------------------------------------------------------
-
-
-def test_lost_and_repeated_frames_keep_their_labels_where_room_is_short():
-    marks = [at(0.001 * number) for number in range(20)] + [at(0.0105, "LOST", lost=True)]
-    chosen = with_room(marks, ">", 0.005)
-    assert "LOST" in [mark.label for mark in chosen]
-    assert all(after.began - before.began >= 0.005 for before, after in itertools.pairwise(chosen))
