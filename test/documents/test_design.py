@@ -15,6 +15,8 @@ DESIGN = (ROOT / "DESIGN.md").read_text()
 PAGES = sorted((ROOT / "docs" / "design").glob("*.md"))
 RETRIES = (ROOT / "docs" / "design" / "retries.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
+
+
 # The rules of retrying --------------------------------------------------------
 
 
@@ -69,8 +71,6 @@ def test_numbers_of_attempts_in_the_headers_are_those_of_the_code():
         "DownloadTransfer.h": [number("DownloadRules::kListTries"), number("DownloadRules::kItemTries")],
         "UploadTransfer.h": [counting, confirming], "CommandTransfer.h": [number("CommandRules::kTries")],
     }  # fmt: skip
-
-
 
 
 # The diagrams -----------------------------------------------------------------

@@ -9,7 +9,7 @@ A scenario by hand, to any bound:
 
     build/venv/bin/python test/proof/test_explorer.py PX4 upload-in-doubt 3 --faults 3
 
-A planted defect is a line of the library changed in a copy of it.
+A planted defect, of explorer_defects.diff, is a line of the library changed in a copy of it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if __name__ == "__main__":
 import pytest
 
 from mutating.programs import sources_of
-from planted import with_defect
+from planted import defects, with_defect
 from simulation.firmware import ROOT, library_sources
 from simulation.host_build import FAST, build_host
 from simulation.together import together
@@ -305,31 +305,24 @@ def test_no_operation_is_misled_by_a_frame_that_the_line_brings_once_more(record
 
 @pytest.mark.slow
 @pytest.mark.parametrize("walks", [WALKS, pytest.param(ALL_WALKS, marks=pytest.mark.thorough)])
-def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(record_property, walks):
+def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(walks):
     """Three operations one behind the other, by item and by file, beside copies, losses, reboots and cancels."""
-    rows = []
     for autopilot in AUTOPILOTS:
         found = explore(f"{autopilot} walks {walks}")
         assert found["violations"] == "0", found["broken"]
         assert int(found["operations"]) > 2.9 * walks  # some have more copies on their way than the line has places
-        rows.append([autopilot, f"{int(found['operations']):,}", f"{int(found['transitions']):,}", found["violations"]])
-    columns = ["autopilot", "operations", "transitions", "violations"]
-    record_property("table", ["walked: three operations in a row at random", [columns, *rows]])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("sessions", [SESSIONS, pytest.param(ALL_SESSIONS, marks=pytest.mark.thorough)])
-def test_a_console_that_is_typed_at_does_what_complete_lines_say_and_says_what_is_true(record_property, sessions):
+def test_a_console_that_is_typed_at_does_what_complete_lines_say_and_says_what_is_true(sessions):
     """Files, commands and what resembles them, whole and spoilt, pasted and typed while operations run."""
-    rows, operations = [], 0
+    operations = 0
     for autopilot in AUTOPILOTS:
         found = explore(f"{autopilot} typed {sessions}")
         assert found["violations"] == "0", found["broken"]
         operations += int(found["operations"])
-        rows.append([autopilot, f"{int(found['operations']):,}", f"{int(found['longest_ms']) / 1000:.0f} s", "0"])
     assert operations > 44 * sessions
-    columns = ["autopilot", "operations", "longest", "violations"]
-    record_property("table", ["typed: consoles at random", [columns, *rows]])
 
 
 @pytest.mark.slow
@@ -340,348 +333,17 @@ def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(recor
     assert states > {"sample": 700_000, "rest": 400_000}[part]  # docs/design/proof.md has the sum
 
 
-# What is changed in which file, and the scenario that shows it, by the rule that is then broken.
-DEFECTS = {
-    "a COUNT of the look that the line repeats is taken for that of the read-back": (
-        "Ensure.cpp",
-        "if (transfer.tries() < (isOurs ? 1 : DownloadRules::kOtherTries)) return;",
-        "(void)isOurs, (void)transfer;",
-        "ArduPilot ensure 0 --held 1 --faults 1 --lossy 1",
-        "Differs, and the plan aboard is the plan meant",
-    ),
-    "an idle ArduPilot's error is taken for an acceptance": (
-        "UploadTransfer.cpp",
-        "case Verdict::Unproven: return Status::Unconfirmed;",
-        "case Verdict::Unproven: return Status::Accepted;",
-        "ArduPilot upload 1",
-        "Accepted, and",
-    ),
-    "an item is sent again unasked on a line that loses nothing": (
-        "UploadTransfer.cpp",
-        "if (state_ == State::Sending && !pace.isLossy()) return Status::Transferring;",
-        "",
-        "PX4 upload 2 --losses 8",
-        "an item is sent that was not asked for",
-    ),
-    "the next item is sent unasked on a lossy link": (
-        "UploadTransfer.cpp",
-        "note(kItemAgain | kUnasked);",
-        "note(kItemAgain | kUnasked);\n  if (nextItem() < end_) ++item_;",
-        "ArduPilot upload 2 --lossy 1",
-        "an item is sent that was not asked for",
-    ),
-    "ArduPilot's INVALID_SEQUENCE is believed to be about the current item, whatever it may answer": (
-        "UploadTransfer.cpp",
-        "case kIsTaken: return isTaken();",
-        "case kIsTaken: return true;",
-        "ArduPilot upload 2 --lossy 1 --faults 1 --losses 2",
-        "an item is sent that was not asked for",
-    ),
-    "a PX4 that is busy is asked once more, and then given up": (
-        "UploadTransfer.cpp",
-        "case kTriesUsed: return transfer.tries_ >= kBusyTries;",
-        "case kTriesUsed: return true;",
-        "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
-        "busy with what was ours, and the tries were not exhausted",
-    ),
-    "PX4's error is taken for one to an earlier transfer, however late it comes": (
-        "UploadTransfer.cpp",
-        "case kLongAfter: return since(transfer.progressMs_, ms) >= kLateErrorMs;",
-        "case kLongAfter: return false;",
-        "PX4 upload 2 --lossy 1 --reboots 1",
-        "an item is sent to a PX4 that has given the upload up",
-    ),
-    "the tries of a list are not counted": (
-        "DownloadTransfer.cpp",
-        "if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most)) return end;",
-        "if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most) && most == kItemTries) return end;",
-        "ArduPilot download 0",
-        "REQUEST_LIST is sent too often",
-    ),
-    "several of PX4's items are asked for at once": (
-        "Read.cpp",
-        "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
-        "return client.link_.isQuick();",
-        "PX4 download 0 --held 3",
-        "a wrong item is asked for",
-    ),
-    "several of ArduPilot's items are asked for at once on a lossy link": (
-        "Read.cpp",
-        "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
-        "return client.plan_.has(kAnswersAnyRequest);",
-        "ArduPilot download 0 --held 3 --lossy 1",
-        "a wrong item is asked for",
-    ),
-    "an item that comes ahead of a lost one is taken in its place": (
-        "DownloadTransfer.cpp",
-        "return item == next_;",
-        "return item >= next_;",
-        "ArduPilot verify 3 --held 3 --held-plan 1 --losses 1",
-        "a wrong item is asked for",
-    ),
-    "an item that comes again is taken for the next": (
-        "DownloadTransfer.cpp",
-        "return item == next_;",
-        "return item <= next_;",
-        "PX4 download 0 --held 3 --faults 1",
-        "a wrong item is asked for",
-    ),
-    "ensure() takes any checksum for that of our plan": (
-        "Ensure.cpp",
-        "} else if (client.reading_.planId == client.opaqueId_.value()) {",
-        "} else if (client.reading_.planId != 0) {",
-        "PX4 ensure 2 --held 2 --losses 2",
-        "aboard() says our plan, and it is not",
-    ),
-    "ensure() reads no item": (
-        "Ensure.cpp",
-        "transfer.onCount(count, nowMs, client.link_.pace());",
-        "(void)nowMs;\n    endLook(client, Status::AlreadyAboard);",
-        "ArduPilot ensure 2 --held 2",
-        "aboard() says our plan, and it is not",
-    ),
-    "an operation takes the late answers to the one before for its own": (
-        "Client.cpp",
-        "if (client.awaitsCopies()) return;",
-        "",
-        "ArduPilot upload 1 clear 0 --losses 0 --lossy 1 --latency 300",
-        "aboard() says our plan, and CLEAR_ALL has left",
-    ),
-    "the acceptance of a cancelled upload is taken for that of the next one": (
-        "Client.cpp",
-        "if (client.awaitsCopies()) return;",
-        "",
-        "LateArduPilot upload 2 upload 1 --losses 2 --cancels 1",
-        "aboard() says our plan, and it is not",
-    ),
-    "a reading ends by a late answer though nothing is lost any more": (
-        "Client.cpp",
-        "if (client.awaitsCopies()) return;",
-        "",
-        "ArduPilot upload 2 download 0 --losses 0 --lossy 1 --latency 300",
-        "nothing is lost any more, and it does not end well",
-    ),
-    "what a copy of a message draws is taken for the answer to the next operation": (
-        "Client.cpp",
-        "if (client.awaitsCopies()) return;",
-        "",
-        "ArduPilot upload-in-doubt 1 clear 0 --losses 0 --copies 1",
-        "aboard() says our plan, and CLEAR_ALL has left",
-    ),
-    "aboard() stays our plan behind a clear that is cancelled when its message has left": (
-        "Clear.cpp",
-        "client.setAboard(clearing.type(), Aboard::NotKnown);",
-        "",
-        "ArduPilot upload 1 clear 0 --losses 1 --cancels 1",
-        "aboard() says our plan, and CLEAR_ALL has left",
-    ),
-    "a clear that is not answered has no end": (
-        "ClearTransfer.cpp",
-        "if (tries_ < (pace.isLossy() ? Pace::kLossyTries : kTries)) return Status::Transferring;",
-        "if (tries_ < 250) return Status::Transferring;",
-        "ArduPilot clear 0",
-        "CLEAR_ALL is sent too often",
-    ),
-    "an acceptance on a lossy link is not proven": (
-        "TakeUp.cpp",
-        "isInDoubt = client.link_.pace().isLossy() && !transfer.isProven();",
-        "isInDoubt = false;",
-        "ArduPilot upload-in-doubt 1 --losses 1 --lossy 1",
-        "Accepted on a lossy link, and not read back",
-    ),
-    "an upload begins anew and forgets that the server has begun": (
-        "TakeUp.cpp",
-        "client.unsettle();\n    begin(client, nowMs);\n    client.state_.isDoubtful = true;",
-        "begin(client, nowMs);",
-        "Betaflight upload-in-doubt 2 --losses 2 --faults 1",
-        "aboard() says as before, and it is not",
-    ),
-    "an upload waits for its last answer for ever": (
-        "UploadTransfer.cpp",
-        "if (stillMs >= kConfirmingMs) return Status::Unconfirmed;",
-        "if (stillMs >= kConfirmingMs) return Status::Transferring;",
-        "ArduPilot upload 1",
-        "it goes round for ever",
-    ),
-    "the answer to a fence is taken for the mission's": (
-        "Upload.cpp",
-        "if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;",
-        "",
-        "ArduPilot fence-upload 4 upload-in-doubt 1 --losses 2 --resets 1",
-        "a refusal that the autopilot did not send",
-    ),
-    "a rally point is sent where the mission's item is asked for": (
-        "Upload.cpp",
-        "if (type != static_cast<uint8_t>(client.state_.type)) {",
-        "if (type > 250) {",
-        "ArduPilot upload-in-doubt 2 rally-upload-in-doubt 1 --losses 2 --cancels 1",
-        "an item is sent that was not asked for",
-    ),
-    "ensure() compares the rally points with how many items a mission has": (
-        "Ensure.cpp",
-        "if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;",
-        "",
-        "PX4 rally-ensure 1 ensure 1 --held-beside 2 --losses 2 --resets 1",
-        "an upload begins before it was looked what is aboard",
-    ),
-    "the end of rally points is told of the mission": (
-        "Client.cpp",
-        "sendAck(MAV_MISSION_OPERATION_CANCELLED, static_cast<PlanType>(state_.cancelled - 1));",
-        "sendAck(MAV_MISSION_OPERATION_CANCELLED, PlanType::Mission);",
-        "ArduPilot rally-verify 2 --held 3 --losses 1",
-        "a frame is sent after the end",
-    ),
-    "rally points that were begun are said to be as before": (
-        "Upload.cpp",
-        "client.plan_.has(kReplacesItemByItem) && client.state_.type == PlanType::Mission ? Aboard::Mixture",
-        "client.plan_.has(kReplacesItemByItem) ? Aboard::AsBefore",
-        "ArduPilot rally-upload 2 --losses 1 --cancels 1",
-        "aboard() says as before, and it is not",
-    ),
-    "an upload by file believes the answer to the closing": (
-        "PlanFilesWriting.cpp",
-        "return proveByItems(nowMs);\n  beginReading();\n",
-        "return proveByItems(nowMs);\n  takeProof(*this, Status::Downloaded, nowMs);\n",
-        "ArduPilot file-upload 2 --losses 1 --refused 1",
-        "aboard() says our plan, and it is not",
-    ),
-    "an upload by file is accepted without a look when somebody has taken its file": (
-        "PlanFilesWriting.cpp",
-        "!= MAV_FTP_OPCODE_ACK) return uploadByItems(nowMs);",
-        "!= MAV_FTP_OPCODE_ACK) return takeProof(*this, Status::Downloaded, nowMs);",
-        "ArduPilot file-upload 1 --losses 0 --others 2",
-        "aboard() says our plan, and it is not",
-    ),
-    "a write is repeated with a number of its own": (
-        "FileWriteTransfer.cpp",
-        "if (slot.tries == 0) slot.request.sequence = ++lastSequence;",
-        "slot.request.sequence = ++lastSequence;",
-        "ArduPilot file-upload 1 --losses 1",
-        "a request is repeated under a number of its own",
-    ),
-    "the header of a file is written while an item is not answered": (
-        "FileWriteTransfer.cpp",
-        "if (open == 0) enter(State::Heading);",
-        "if (next_ == count_) enter(State::Heading);",
-        "ArduPilot file-upload 7 --losses 1",
-        "the header is written before each item is answered",
-    ),
-    "an upload by file takes the answers to another session": (
-        "PlanFiles.cpp",
-        "frame.payloadByte(offsetof(FileFrame, session)) == session_ &&",
-        "",
-        "ArduPilot file-upload 1 --losses 1 --others 2",
-        "it is written to a file that is not open",
-    ),
-    "aboard() does not say that the file may have been stored": (
-        "PlanFilesWriting.cpp",
-        "plans().nowAboard(Aboard::NotKnown);",
-        "",
-        "ArduPilot file-upload 1 --losses 1 --cancels 1",
-        "aboard() says as before, and it is not",
-    ),
-    "a file that was left open is not closed": (
-        "PlanFiles.cpp",
-        "!client.autopilot().isArmed())) self.closeLeftOpen();",
-        "!client.autopilot().isArmed())) self.closings_ = 0;",
-        "ArduPilot file-upload 1 --losses 1 --cancels 1",
-        "a file of ours is left open",
-    ),
-    "a file that was left open before a reset is not looked for": (
-        "files/PlanFiles.cpp",
-        "closings_(FileRules::kUnsureClosings),",
-        "closings_(0),",
-        "ArduPilot file-upload 2 clear 0 --losses 0 --resets 1",
-        "a file of ours is left open",
-    ),
-    "a complete file that was left open before a reset is closed as it is": (
-        "files/PlanFiles.cpp",
-        "isStorable_(true),",
-        "isStorable_(false),",
-        "ArduPilot file-upload 2 clear 0 --losses 0 --resets 1",
-        "a plan is stored after the end",
-    ),
-    "a complete file that was left open is closed as it is, over the plan of the next upload": (
-        "PlanFiles.cpp",
-        "if (!isStorable_) return",
-        "if (closings_ != 0) return",
-        "ArduPilot file-upload 2 upload-in-doubt 1 --losses 2 --cancels 1",
-        "a plan is stored after the end",
-    ),
-    "the late answer to the header is taken for that to the zeros in its place": (
-        "PlanFiles.cpp",
-        "if (!self.isSpoiling_ || !isLast)",
-        "if (!isLast)",
-        "ArduPilot file-upload 1 --losses 1 --cancels 1",
-        "a plan is stored after the end",
-    ),
-    "a copy of the answer to an opening is taken for an empty file": (
-        "PlanFiles.cpp",
-        "self.isStorable_ = !isLast;",
-        "self.isStorable_ = false;",
-        f"ArduPilot walks {WALKS}",
-        "a plan is stored after the end",
-    ),
-    "a copy of the acceptance of what was ended is taken for another plan's": (
-        "Upload.cpp",
-        "return client.transfer_.hasFreed() ? Status::Unconfirmed : Status::OtherPlanAboard;",
-        "return Status::OtherPlanAboard;",
-        f"PX4 walks {WALKS}",
-        "OtherPlanAboard, and the plan aboard is the plan meant",
-    ),
-    "a newer ArduPilot goes on with a COUNT of before, and is believed": (
-        "Upload.cpp",
-        "if (!isNamed && client.state_.isDoubtful) return Status::Unconfirmed;",
-        "",
-        "LateArduPilot walks 1000 --seed 279000",
-        "aboard() says our plan, and it is not",
-    ),
-    "a file that a console has ignored is forgotten when the download that ran then has succeeded": (
-        "PlanConsoleCommands.cpp",
-        "if (!isNotStored_ && !isIgnored_) return true;",
-        "if (!isNotStored_) return true;",
-        f"PX4 typed {SESSIONS}",
-        "a plan is used, and a load or download behind it has failed",
-    ),
-    "a console reads the next line before the plan that it stores is stored": (
-        "PlanConsole.cpp",
-        "plan_.isBusy() ||",
-        "",
-        f"PX4 typed {SESSIONS}",
-        "a plan is stored that is neither in the last lines nor was aboard",
-    ),
-    "a console takes a new plan while one is uploaded": (
-        "PlanConsoleText.cpp",
-        "if (!isAutopilotFree()) return ignoreText();",
-        "",
-        f"PX4 typed {SESSIONS}",
-        "a plan is used, and a load or download behind it has failed",
-    ),
-    "a console starts the plan that was aboard before a load": (
-        "PlanConsoleCommands.cpp",
-        "if (console.isEarlierAboard())",
-        "if (false)",
-        f"ArduPilot typed {SESSIONS}",
-        "what is started is not the plan that the lines have stored",
-    ),
-    "a console takes a long word of which the end is erased for a command": (
-        "PlanConsoleCommands.cpp",
-        "if (length_ == sizeof(command_)) return;  // too long, whatever is erased",
-        "if (length_ == sizeof(command_) && !isErasing(c)) return;",
-        f"PX4 typed {SESSIONS}",
-        "an operation has begun, and no line asked for it",
-    ),
-}  # fmt: skip
+DEFECTS = defects("explorer_defects.diff")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("defect", DEFECTS)
 def test_a_planted_defect_is_found(defect):
-    file, right, wrong, words, rule = DEFECTS[defect]
-    assert explore(words)["violations"] == "0"
-    found = explore(words, build_explorer(with_defect(file, right, wrong)))
+    planted = DEFECTS[defect]
+    assert explore(planted.words)["violations"] == "0"
+    found = explore(planted.words, build_explorer(planted.library))
     assert int(found["violations"]) > 0
-    assert found["broken"].startswith(rule), found["broken"]
+    assert found["broken"].startswith(planted.rule), found["broken"]
     assert "arrives" in found["broken"] or "is lost" in found["broken"]  # how it came to that
 
 

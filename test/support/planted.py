@@ -1,11 +1,36 @@
-"""The library with a defect planted in it."""
+"""The library with a defect planted in it, and the defects of test/proof that each proof must find."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import NamedTuple
 
 from simulation.firmware import ROOT, digest, library_file, library_sources
+
+
+class Defect(NamedTuple):
+    file: str
+    words: str  # what shows it
+    rule: str  # that is then broken: how it begins
+    right: str
+    wrong: str
+
+    @property
+    def library(self) -> tuple[Path, ...]:
+        return with_defect(self.file, self.right, self.wrong)
+
+
+def defects(table: str) -> dict[str, Defect]:
+    """Of a file of test/proof, by their names."""
+    found = {}
+    for entry in (ROOT / "test" / "proof" / table).read_text().split("\n\n"):
+        lines = [line for line in entry.splitlines() if not line.startswith("#")]
+        name, *head = [line for line in lines if not line.startswith(("-", "+"))] or [""]
+        file, words, rule, *_ = [*(part.strip() for part in " ".join(head).split("|")), "", ""]
+        right, wrong = ("\n".join(line[1:] for line in lines if line.startswith(mark)) for mark in "-+")
+        found[name] = Defect(file, words, rule, right, wrong)
+    return {name: defect for name, defect in found.items() if name}
 
 
 def with_defect(file: str, right: str, wrong: str) -> tuple[Path, ...]:
