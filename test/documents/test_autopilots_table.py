@@ -15,7 +15,6 @@ import pytest
 from areas import FIELD, POINTS
 from building import ROOT
 from downloads import WRITTEN, same
-from flights import fly, reached_in, started
 from parts import NEW, OLD
 from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from simulation.bench import same_bits, status_names
@@ -42,8 +41,13 @@ def read_table(page: str) -> dict[str, dict[str, str]]:
     return {row[0]: dict(zip(head[1:], row[1:], strict=True)) for row in rows}
 
 
-def refused(status: str) -> str:
-    return f"no: `{status}`"
+class Refused(Exception):
+    """It is not done there; the words of the cell that says so."""
+
+
+def expect(ended: str, status: str) -> None:
+    if ended != status:
+        raise Refused(f"no: `{ended}`")
 
 
 def whole_service(make: Make, personality: str) -> str:
@@ -51,18 +55,14 @@ def whole_service(make: Make, personality: str) -> str:
     service = make()
     service.autopilot.load(OLD_PLAN)
     service.upload(WRITTEN)
-    if (ended := service.done(limit_s=20)) != "Accepted":
-        return refused(ended)
+    expect(service.done(limit_s=20), "Accepted")
     service.verify(WRITTEN)
-    if (ended := service.done()) != "Verified":
-        return refused(ended)
+    expect(service.done(), "Verified")
     service.download()
-    if (ended := service.done()) != "Downloaded":
-        return refused(ended)
+    expect(service.done(), "Downloaded")
     assert same(service.sink(len(WRITTEN)), WRITTEN)
     service.order_of("clear", MISSION)
-    if (ended := service.done()) != "Cleared":
-        return refused(ended)
+    expect(service.done(), "Cleared")
     return "yes" if len(service.autopilot.plan()) <= 1 else "no"  # ArduPilot keeps home
 
 
@@ -75,8 +75,7 @@ def proof_of_a_lost_answer(make: Make, personality: str) -> str:
     service.autopilot.faults.swallow_final_ack()
     service.run(LEFTOVERS_S)  # before that PX4's answer may be to an upload from before a reset, and is read back too
     service.upload(SURVEY, proof="InDoubt")
-    if (ended := service.done(limit_s=30)) != "Accepted":
-        return refused(ended)
+    expect(service.done(limit_s=30), "Accepted")
     assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
     if service.heard("MISSION_REQUEST_LIST"):
         return "read back"
@@ -89,14 +88,12 @@ def plan_that_is_there(make: Make, personality: str) -> str:
     service = make()
     service.autopilot.load(on_the_wire(SURVEY, personality))
     service.ensure(SURVEY)
-    if (ended := service.done(limit_s=30)) != "AlreadyAboard":
-        return refused(ended)
+    expect(service.done(limit_s=30), "AlreadyAboard")
     found = "by reading" if service.heard("MISSION_REQUEST_INT") else "by its checksum"
     assert service.heard("MISSION_COUNT") == []
     service.autopilot.load(OLD_PLAN)
     service.ensure(SURVEY)
-    if (ended := service.done(limit_s=30)) != "Accepted":
-        return refused(ended)
+    expect(service.done(limit_s=30), "Accepted")
     assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
     return found
 
@@ -130,19 +127,18 @@ def somebody_elses_plan(make: Make, personality: str) -> str:
 
 def fence_and_rally(make: Make, personality: str) -> str:
     service = make()
-    outcomes = set()
+    ends = set()
     for mission_type, plan in ((FENCE, FIELD), (RALLY, POINTS)):
         service.upload(plan, mission_type)
-        ended = service.done()
-        if ended == "Accepted":
+        ends.add(service.done())
+        if ends == {"Accepted"}:
             assert same_bits(service.autopilot.received(mission_type), plan)
             service.verify(plan, mission_type)
-            ended = "yes" if service.done() == "Verified" else "no"
+            assert service.done() == "Verified"
         else:
             assert service.mission_messages() == []
-            ended = refused(ended)
-        outcomes.add(ended)
-    return " or ".join(sorted(outcomes))
+    expect(" or ".join(ends), "Accepted")
+    return "yes"
 
 
 def part(make: Make, personality: str) -> str:
@@ -152,9 +148,9 @@ def part(make: Make, personality: str) -> str:
     before = service.autopilot.received()
     plan = [*OLD[:2], *NEW[2:5], *OLD[5:]]
     service.upload_part(plan, 2, 3)
-    if (ended := service.done()) != "Accepted":
-        assert same_bits(service.autopilot.received(), before)
-        return refused(ended)
+    ended = service.done()
+    assert ended == "Accepted" or same_bits(service.autopilot.received(), before)
+    expect(ended, "Accepted")
     return "yes" if same_bits(service.autopilot.received(), on_the_wire(plan, personality)) else "no"
 
 
@@ -163,8 +159,7 @@ def flying(make: Make, personality: str) -> str:
     service = uploaded(make(), HOPS[personality])
     for order in (("mode", 3), ("arm",), ("setcurrent", 1), ("disarm",), ("setcurrent", 0), ("start",)):
         service.order_of(*order)
-        if (ended := service.done()) != "Done":
-            return refused(ended)
+        expect(service.done(), "Done")
         service.run(1.5)  # a heartbeat says whether it is armed
         assert order != ("arm",) or service.state.armed
         assert order != ("mode", 3) or "Hold" in service.state.modes
@@ -172,9 +167,16 @@ def flying(make: Make, personality: str) -> str:
 
 
 def followed(make: Make, personality: str) -> str:
-    service = started(make(), HOPS[personality])
-    fly(service)
-    is_told = service.reached == reached_in(service, 0, 1, 2) and 2 in service.currents
+    service = uploaded(make(), HOPS[personality])
+    service.order_of("start")
+    expect(service.done(), "Done")
+    limit = service.now + 200.0
+    while service.autopilot.armed:
+        assert service.now < limit, f"it still flies item {service.autopilot.flight.index}"
+        service.run(0.5)
+    service.run(3.0)
+    # ArduCopter disarms at the end of its landing, and does not call that reached.
+    is_told = service.reached == [0, 1, 2][: 3 if personality == "PX4" else 2] and 2 in service.currents
     return "yes" if is_told else f"current {service.currents}, reached {service.reached}"
 
 
@@ -190,8 +192,7 @@ def quiet_transfers(make: Make, personality: str) -> str:
     """A full line is silent at the end of a transfer, and full again soon after it."""
     service = make(telemetry=5000.0, defines={"BENCH_QUIET": 1})
     service.upload([waypoint(473977420 + 100 * n) for n in range(50)])
-    if (ended := service.done(limit_s=20)) != "Accepted":
-        return refused(ended)
+    expect(service.done(limit_s=20), "Accepted")
     end = service.now
     service.run(3.0)
     heard = [entry.time for entry in service.wire.frames("<", "ATTITUDE")]
@@ -205,8 +206,7 @@ def flown_without_a_plan(make: Make, personality: str) -> str:
     lat, lon = service.autopilot.flight.home[:2]
     for order in (("takeoff", float_bits(8.0)), ("goTo", (lat + 2000) % 2**32, lon, float_bits(9.0), 3)):
         service.order_of(*order)
-        if (ended := service.done(limit_s=30)) != "Done":
-            return refused(ended)
+        expect(service.done(limit_s=30), "Done")
     service.run(40.0)
     where = service.autopilot.flight.where(service.now)
     return "yes" if abs(where.lat_e7 - lat - 2000) < 20 and abs(where.height - 9.0) < 0.1 else "no"
@@ -217,13 +217,11 @@ def target_that_moves(make: Make, personality: str) -> str:
     service = make(defines={"BENCH_STEERING": True, "BENCH_TARGET": True})
     lat, lon = service.autopilot.flight.home[:2]
     service.order_of("takeoff", float_bits(8.0))
-    if (ended := service.done(limit_s=30)) != "Done":
-        return refused(ended)
+    expect(service.done(limit_s=30), "Done")
     service.run(15.0)
     service.tell("renewing", 100)
     service.order_of("follow", (lat + 2000) % 2**32, lon, float_bits(9.0), 3)
-    if (ended := service.done(limit_s=30)) != "Done":
-        return refused(ended)
+    expect(service.done(limit_s=30), "Done")
     service.run(20.0)
     where = service.autopilot.flight.where(service.now)
     service.tell("renewing", 0)
@@ -238,13 +236,11 @@ def velocity(make: Make, personality: str) -> str:
     service = make(defines={"BENCH_STEERING": True, "BENCH_VELOCITY": True})
     flight = service.autopilot.flight
     service.order_of("takeoff", float_bits(8.0))
-    if (ended := service.done(limit_s=30)) != "Done":
-        return refused(ended)
+    expect(service.done(limit_s=30), "Done")
     service.run(15.0)
     service.tell("flying", 100)
     service.order_of("fly", float_bits(2.0), *[float_bits(0.0)] * 3)
-    if (ended := service.done(limit_s=30)) != "Done":
-        return refused(ended)
+    expect(service.done(limit_s=30), "Done")
     service.run(10.0)
     flown_m = flight.where(service.now).distance(flight.home._replace(height=8.0))
     service.tell("flying", 0)
@@ -269,12 +265,10 @@ def parameters(make: Make, personality: str) -> str:
     names = {"ArduPilot": ("WPNAV_SPEED", "SERIAL1_BAUD"), "PX4": ("MIS_TAKEOFF_ALT", "SER_TEL1_BAUD")}
     number, whole = names[personality]
     for name in (number, whole):
-        if (ended := bench.read(name)) != "Done":
-            return refused(ended)
+        expect(bench.read(name), "Done")
         assert bench.value[0] == known[name].value
-    for ended in (bench.set(number, 3.25), bench.set_whole(whole, 115)):
-        if ended != "Done":
-            return refused(ended)
+    expect(bench.set(number, 3.25), "Done")
+    expect(bench.set_whole(whole, 115), "Done")
     return "yes" if (known[number].value, known[whole].value) == (3.25, 115) else "no"
 
 
@@ -313,4 +307,8 @@ def test_each_row_has_its_proof_and_each_proof_its_row():
 )
 def test_cell_says_what_the_firmware_does(build_service, row, column, words):
     personality, options = COLUMNS[column]
-    assert PROOFS[row](lambda **more: build_service(personality, **options, **more), personality) == words
+    try:
+        found = PROOFS[row](lambda **more: build_service(personality, **options, **more), personality)
+    except Refused as refused:
+        found = str(refused)
+    assert found == words

@@ -11,7 +11,7 @@ from simulation.fake_autopilot import mavlink
 from simulation.mega import Image
 
 PRESS = {"StartButton": 2.2, "FlyByButtons": 1.2}  # how long its button is held [s]
-BUTTON = 0x2C, 1 << 4  # pin 2 of a Mega: PINE, bit 4
+BUTTON, FORWARD, LEFT = (0x2C, 1 << 4), (0x2C, 1 << 5), (0x32, 1 << 5)  # pins 2 to 4 of a Mega: ports and bits
 PILOTS = {"copter": (5,), "rover": (4,), "px4": (3, 0)}  # the modes in which a pilot flies: LOITER, HOLD, POSITION
 OWN = {"copter": (3,), "rover": (10,), "px4": (4, 4)}  # the mode in which the plan is flown
 STEERED = ("GoToPlaces", "FollowBeacon", "FlyByButtons")
@@ -33,8 +33,8 @@ class Story(Run):
         if example in PRESS:
             self.press(PRESS[example])
 
-    def press(self, seconds: float) -> None:
-        place, bit = BUTTON
+    def press(self, seconds: float, button: tuple[int, int] = BUTTON) -> None:
+        place, bit = button
         self.mega.poke_int(place, self.mega.peek_int(place) & ~bit)
         self.run(seconds)
         self.mega.poke_int(place, self.mega.peek_int(place) | bit)
@@ -236,17 +236,14 @@ def test_an_arduino_that_fails_at_a_stop_leaves_the_plan_to_the_autopilot():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("vehicle", ["copter"])  # a PX4 without targets is flown home by its failsafe
-def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands_also_behind_a_cut_cable(vehicle):
-    story = Story("FlyByButtons", vehicle)
+def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands_also_behind_a_cut_cable():
+    story = Story("FlyByButtons")  # (a PX4 without targets is flown home by its failsafe)
     story.reach("at the stop")
     story.run(2.0)
     flight = story.autopilot.flight
     ground = flight.where(story.now)
-    for place, bit, seconds in ((0x2C, 1 << 5, 5.0), (0x32, 1 << 5, 3.0)):  # pins 3 and 4: forward, and left
-        story.mega.poke_int(place, story.mega.peek_int(place) & ~bit)
-        story.run(seconds)
-        story.mega.poke_int(place, story.mega.peek_int(place) | bit)
+    for button, seconds in ((FORWARD, 5.0), (LEFT, 3.0)):
+        story.press(seconds, button)
         story.run(3.0)
     there = flight.where(story.now)
     assert 7.0 < there.distance(ground) < 14.0
@@ -257,9 +254,7 @@ def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands_also_behind_
     story.is_plugged = True
     story.run(4.0)
     before = flight.where(story.now)
-    story.mega.poke_int(0x2C, story.mega.peek_int(0x2C) & ~(1 << 5))
-    story.run(5.0)
-    story.mega.poke_int(0x2C, story.mega.peek_int(0x2C) | 1 << 5)
+    story.press(5.0, FORWARD)
     story.run(2.0)
     assert flight.where(story.now).distance(before) > 7.0
     story.press(1.2)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import mavmission_dialect as mavlink
 import pytest
 
-from baseline import SOURCE, build_baseline
-from building import ROOT, dependencies
+from baseline import build_baseline
 from measuring.peer import KINDS, Peer
 from measuring.runs import MS
 
@@ -60,11 +59,3 @@ def test_functions_that_the_measurements_watch_are_called(wire):
     heard_within_ms(peer, 100)
     assert parse.calls.count == sum(length for _, length in peer.to_mega)
     assert pack.calls.count == 1
-
-
-def test_baseline_is_not_linked_with_this_library():
-    read = dependencies(build_baseline(2).elf.parent)
-    assert SOURCE in read
-    ours = [f.relative_to(ROOT / "src") for f in read if f.is_relative_to(ROOT / "src")]
-    assert ours
-    assert {f.parts[:2] for f in ours} == {("mavmission", "mavlink")}

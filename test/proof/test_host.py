@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from simulation.host_build import HOST, SANITIZED, HostProgramNotBuilt, build_host, build_objects, units_together
+from simulation.host_build import HOST, SANITIZED, build_host, units_together
 from units import cases_of, run_unit
 
 UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem != "main")
@@ -43,19 +43,3 @@ def test_every_case_of_a_unit_passes(unit, way, chosen, tmp_path):
     compiler, flags = WAYS[way]
     assert cases_of(unit) > 0
     assert run_unit(build_units(chosen, compiler, tuple(flags)), unit, tmp_path) == (0, cases_of(unit))
-
-
-def test_units_that_do_not_compile_as_one_are_compiled_alone(tmp_path):
-    """So names of two may collide, and a fault is told of the unit that has it."""
-    names = ("both.h", "other.h", "one.cpp", "two.cpp")
-    both, other, one, two = (tmp_path / name for name in names)
-    both.write_text("#pragma once\nnamespace both { struct Value {}; }\n")
-    other.write_text("#pragma once\nnamespace both { namespace other { struct Value {}; } }\n")
-    one.write_text(f'#include "{both}"\nboth::Value one;\n')
-    using = "using namespace both;\nusing namespace both::other;\nValue two;\n"
-    two.write_text(f'#include "{other}"\n{using}')
-    (piece,) = units_together([one, two])
-    assert len(build_objects([piece], "clang++", PLAIN)) == 2
-    two.write_text(f'#include "{other}"\nValue two;\n')
-    with pytest.raises(HostProgramNotBuilt, match=r"two\.cpp -o "):
-        build_objects(units_together([one, two]), "clang++", PLAIN)

@@ -143,10 +143,6 @@ def test_literals_are_refused_by_later_standards_too(standard, compiler):
             check(name, compiler, standard)
 
 
-def test_each_mistake_says_why_it_is_one():
-    assert all(mistake["why"].endswith((".", ".)")) for mistake in MISTAKES.values())
-
-
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("more", [(), ("-DMAVMISSION_SIGNING=1",)], ids=["", "signing"])
 def test_sketch_may_have_the_names_that_the_library_has_inside(compiler, more):

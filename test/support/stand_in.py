@@ -53,7 +53,6 @@ class StandIn:
         self.now = 0.0
         self.has_remote = True
         self.is_closed = False
-        self.fails = False  # by a parameter that the truth has set
         self.line, self.truth = Port(self._line_write), Port(self._truth_write)
         self._defect, self._hears = defect, hears
         self._from_truth, self._from_line = FrameSplitter(), FrameSplitter()
@@ -69,8 +68,6 @@ class StandIn:
             self.truth.unread += frame if to in (0, TRUTH) else b""
             self.line.unread += frame if to != TRUTH else b""
         self.show_truth()
-        if not self.has_remote or self.fails:
-            self._fail()
         if self.mode == "FBWA" and not self.autopilot.flight.sinking and self.autopilot.flight.airborne(self.now):
             self.autopilot._land(self.now)  # as a pilot has it glide down
         if self._defect is not None:
@@ -103,17 +100,10 @@ class StandIn:
             if getattr(message, "command", 0) == mavlink.MAV_CMD_SET_MESSAGE_INTERVAL:  # is answered, and no more
                 self.truth.unread += packed(mavlink.MAVLink_command_ack_message(message.command, 0), self._packer, 2)
             elif getattr(message, "param_id", ""):
-                self.fails = message.param_value != 0.0
                 told = (message.param_id.encode(), message.param_value, message.param_type, 1, 0)
                 self.truth.unread += packed(mavlink.MAVLink_param_value_message(*told), self._packer, 2)
             elif message is not None:
                 self.autopilot._hear(message, self.now)
-
-    def _fail(self) -> None:
-        """The remote control has failed, or what else a failsafe is for: it returns."""
-        autopilot = self.autopilot
-        if autopilot.armed and self.mode not in ("RTL", "QRTL", "LAND", "QLAND"):
-            self.set_mode("RTL")
 
     @property
     def mode(self) -> str:

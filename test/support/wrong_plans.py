@@ -8,7 +8,7 @@ from plans import LOITER_TIME, NAN, NO_PLACE, SERVO, SPEED, SURVEY, jump, waypoi
 from simulation.fake_autopilot import Item, item
 
 INF = math.inf
-LOITER_UNLIMITED, SPLINE, ROI_LOCATION = 17, 82, 195
+LOITER_UNLIMITED, SPLINE = 17, 82
 
 WRONG_EVERYWHERE = [
     *(("BadLatitude", waypoint(x=x)) for x in (900000001, -900000001, 2**31 - 1, -(2**31))),

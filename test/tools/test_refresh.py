@@ -11,13 +11,10 @@ from refreshing import refresh
 from refreshing.things import THINGS, Thing, in_order
 
 
-def said_by(things: list[Thing], **more) -> list[str]:
+def said_by(things: list[Thing]) -> list[str]:
     said: list[str] = []
-    refresh.refresh(things, said.append, **more)
+    refresh.refresh(things, said.append)
     return said
-
-
-# What is in the repository ------------------------------------------------------
 
 
 def test_what_is_made_of_text_is_up_to_date():
@@ -35,49 +32,29 @@ def test_record_is_as_the_tool_writes_it():
     assert record.FILE.read_text() == in_order(record.load())
 
 
-# What is stale --------------------------------------------------------------------
-
-
-@pytest.fixture
-def made(tmp_path, monkeypatch):
-    """A repository with one source, of which one text is made, as long as it is; and how often it was made."""
+def test_what_its_inputs_or_a_hand_make_stale_is_made_once_and_told_of(tmp_path, monkeypatch):
+    """In a repository with one source, of which one text is made that is twice as long."""
     monkeypatch.setattr(refresh, "ROOT", tmp_path)
     monkeypatch.setattr(record, "FILE", tmp_path / "measured.toml")
-    (tmp_path / "source").write_text("one\n")
-    times = []
+    source, times = tmp_path / "source", []
+    source.write_text("one\n")
 
     def make() -> dict:
         times.append(1)
-        return {tmp_path / "made": (tmp_path / "source").read_bytes() * 2}
+        return {tmp_path / "made": source.read_bytes() * 2}
 
-    def thing(**more) -> Thing:
-        things = (Thing("text", make, **{"inputs": ("source",), **more}),)
-        monkeypatch.setattr(refresh, "THINGS", things)
-        return things[0]
-
-    thing.folder, thing.times = tmp_path, times
-    return thing
-
-
-def test_what_its_inputs_make_stale_is_made_once_and_told_of(made):
-    thing = made()
+    thing = Thing("text", make, inputs=("source",))
+    monkeypatch.setattr(refresh, "THINGS", (thing,))
     said = said_by([thing])
     assert said == ["text: what it is made of has changed", "text: made is written anew", "  +one", "  +one"]
     assert said_by([thing]) == [] and refresh.check([thing], pytest.fail)
-    (made.folder / "source").write_text("two\n")
+    source.write_text("two\n")
     stale = []
     assert not refresh.check([thing], stale.append) and stale == ["text: what it is made of has changed"]
-    assert said_by([thing])[2:] == ["  -one", "  -one", "  +two", "  +two"] and len(made.times) == 2
-    said_by([thing], anyway=True)
-    assert len(made.times) == 3
-
-
-def test_figures_that_were_changed_by_hand_are_stale(made):
-    thing = made(measure=dict)
+    assert said_by([thing])[2:] == ["  -one", "  -one", "  +two", "  +two"] and len(times) == 2
+    thing = Thing("text", make, inputs=("source",), measure=dict)
+    monkeypatch.setattr(refresh, "THINGS", (thing,))
     said_by([thing])
     assert not refresh.is_stale(thing)
     record.FILE.write_text(record.FILE.read_text() + "\n[text]\none = [5, 6]\n")
     assert refresh.is_stale(thing)
-
-
-# The tool -------------------------------------------------------------------------

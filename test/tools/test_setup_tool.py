@@ -122,16 +122,6 @@ def test_setup_installs_only_what_is_missing_and_asks_nothing(machine):
     ]
 
 
-def test_setup_shows_what_apt_said_when_it_fails(machine):
-    (machine.folder / "may").touch()
-    machine.program("apt-get", "echo 'E: Unable to locate package'; exit 100")
-    ran = machine.setup("test")
-    assert ran.returncode == 1
-    assert "E: Unable to locate package" in ran.stderr
-    assert "build/apt.log" in ran.stderr
-    assert "is there a network" in ran.stderr
-
-
 # The environment ---------------------------------------------------------------------
 
 

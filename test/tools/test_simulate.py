@@ -92,16 +92,41 @@ def test_simulated_time_keeps_abreast_of_the_clock(world, clock):
 # Ends ---------------------------------------------------------------------------
 
 
-def test_a_program_reaches_serial1_over_the_pty_and_may_come_again(world):
-    end = Pty()
+def by_pty(end: Pty) -> tuple:
+    device = os.open(end.name, os.O_RDWR | os.O_NOCTTY)
+    os.set_blocking(device, False)
+    return functools.partial(os.write, device), functools.partial(os.read, device, 100), lambda: os.close(device)
+
+
+def by_tcp(end: TcpServer) -> tuple:
+    client = socket.create_connection(("127.0.0.1", end.port))
+    client.setblocking(False)
+    return client.sendall, functools.partial(client.recv, 100), client.close
+
+
+def by_udp(end) -> tuple:
+    peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    peer.connect(("127.0.0.1", int(end.name.removeprefix("udp-listen:"))))
+    peer.setblocking(False)
+    return peer.send, functools.partial(peer.recv, 100), peer.close
+
+
+# (Port 0: the system chooses one that is free.)
+@pytest.mark.parametrize(("make", "connect"), [
+    (Pty, by_pty),
+    (lambda: TcpServer(0, Clock(), quiet), by_tcp),
+    (lambda: open_end(f"udp-listen:{free_port()}"), by_udp),
+], ids=["pty", "tcp", "udp"])  # fmt: skip
+def test_a_program_reaches_serial1_and_may_come_again(world, make, connect):
+    end = make()
     world.connect(1, end)
     world.run(seconds=0.005)
     for text in (b"ABC", b"\x00\x11\x13\xff"):
-        device = os.open(end.name, os.O_RDWR | os.O_NOCTTY)
-        os.write(device, text)
+        send, read, close = connect(end)
+        send(text)
+        assert answer_of(world, read, len(text)) == bytes((byte + 1) & 0xFF for byte in text)
+        close()
         world.run(seconds=0.01)
-        assert os.read(device, 100) == bytes((byte + 1) & 0xFF for byte in text)
-        os.close(device)
 
 
 def test_a_tcp_client_finds_its_peer_again_after_the_peer_restarts(world, clock):
@@ -126,19 +151,6 @@ def test_a_tcp_client_finds_its_peer_again_after_the_peer_restarts(world, clock)
     listener.close()
 
 
-def test_a_tcp_server_takes_the_next_client_when_one_has_gone(world, clock):
-    # Port 0: the system chooses one that is free.
-    end = TcpServer(0, clock, quiet)
-    world.connect(1, end)
-    for text in (b"one", b"two"):
-        client = socket.create_connection(("127.0.0.1", end.port))
-        client.sendall(text)
-        client.setblocking(False)
-        assert answer_of(world, functools.partial(client.recv, 100), len(text)) == bytes(byte + 1 for byte in text)
-        client.close()
-        slices_until(world, lambda: not end.connected)
-
-
 def test_udp_answers_whoever_sent(world):
     peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     peer.bind(("127.0.0.1", 0))
@@ -152,24 +164,6 @@ def test_udp_answers_whoever_sent(world):
     peer.sendto(b"A", mega_address)
     assert answer_of(world, functools.partial(peer.recv, 100), 1) == b"B"
     peer.close()
-
-
-def test_udp_that_listens_answers_whoever_sent_last(world):
-    port = free_port()
-    said = []
-    end = open_end(f"udp-listen:{port}", say=said.append)
-    world.connect(1, end)
-    end.write(b"nobody is there yet")
-    world.run(seconds=0.005)
-    assert said == []
-    for text in (b"one", b"two"):  # the second is the first, restarted at another port
-        peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        peer.setblocking(False)
-        peer.sendto(text, ("127.0.0.1", port))
-        assert answer_of(world, functools.partial(peer.recv, 100), len(text)) == bytes(byte + 1 for byte in text)
-        assert said.pop() == f"udp-listen:{port}: hears 127.0.0.1:{peer.getsockname()[1]}"
-        assert said == []
-        peer.close()
 
 
 def test_a_serial_device_is_opened_again_when_it_comes_back(world, clock, tmp_path):

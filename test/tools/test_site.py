@@ -11,11 +11,11 @@ import pytest
 
 import alone
 from building import ROOT
-from examples import every_folder
+from examples import every_folder, sketch_of
 from playing.browser import Browser
 from playing.serving import Plain, Server
 from siting import dead_links
-from siting.pages import navigation
+from siting.pages import example_page, navigation
 
 WIDTHS = {390: 844, 1400: 1000}
 # A page of each kind, and those with the widest tables.
@@ -40,6 +40,12 @@ def test_navigation_has_each_document_and_each_example_once():
     documents = [str(file.relative_to(ROOT)) for place in ("*.md", "docs/**/*.md") for file in ROOT.glob(place)]
     sketches = [f"examples/{name}.md" for name in every_folder()]
     assert sorted(names) == sorted([*documents, *sketches, "playground/index.html", "reference/index.html"])
+
+
+def test_page_of_an_example_has_the_sketch_and_leads_to_the_playground():
+    page = example_page("UploadMission")
+    assert sketch_of("UploadMission").read_text() in page
+    assert "](../playground/index.html#example=UploadMission)" in page
 
 
 def test_links_that_lead_nowhere_are_found_and_no_others(tmp_path):
