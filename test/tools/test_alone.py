@@ -17,9 +17,10 @@ import pytest
 import alone
 from building import ROOT, build_sketch
 from examples import sketch_of
-from interrupts import can_be_interrupted
 
 FARM = ROOT / "docs" / "farm.plan"
+# A shell that starts the tests in the background makes them, and all that they start, ignore interrupts.
+HEARS_INTERRUPTS = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
 COMMANDS = sorted(file.name for file in (ROOT / "tools").iterdir() if file.is_file() and os.access(file, os.X_OK))
 
 # The groups of tools/setup, a command, and what it prints there, or the file that it makes. {here} is an empty folder,
@@ -154,7 +155,7 @@ def test_command_does_its_work_with_its_own_group_alone(groups, words, makes, he
 @pytest.mark.thorough
 def test_playground_of_the_readme_serves_its_page_until_it_is_interrupted():
     with subprocess.Popen([ROOT / "tools" / "playground", "--port", "0"], stdout=subprocess.PIPE, text=True,
-                          env=alone.environment("playground"), preexec_fn=can_be_interrupted) as running:  # fmt: skip
+                          env=alone.environment("playground"), preexec_fn=HEARS_INTERRUPTS) as running:  # fmt: skip
         said = next(line for line in running.stdout if line.startswith("open "))
         assert b"<title>" in urllib.request.urlopen(said.split()[1]).read()
         running.send_signal(signal.SIGINT)

@@ -14,7 +14,6 @@ from pathlib import Path
 import pytest
 
 from building import ROOT
-from interrupts import can_be_interrupted
 from simulation import recordings
 from simulation.bench import PERSONALITIES, firmware_image, status_names
 from simulation.firmware import build_firmware
@@ -23,6 +22,8 @@ from simulation.mega.ends import BadEnd, Pty, TcpServer, Terminal, open_end
 from simulation.mega.realtime import RealTime
 
 SOURCES = Path(__file__).resolve().parents[1] / "machine"
+# A shell that starts the tests in the background makes them, and all that they start, ignore interrupts.
+HEARS_INTERRUPTS = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
 
 
 class Clock:
@@ -306,7 +307,7 @@ def test_simulate_shows_serial_and_sends_it_what_is_typed():
 def test_simulate_that_is_interrupted_says_its_last_words():
     command = [ROOT / "tools" / "simulate", build_firmware("echo", [SOURCES / "echo.cpp"], library=False)]
     with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          preexec_fn=can_be_interrupted) as running:  # fmt: skip
+                          preexec_fn=HEARS_INTERRUPTS) as running:  # fmt: skip
         assert next(line for line in running.stdout if line.startswith(b"ready"))
         running.send_signal(signal.SIGINT)
         assert b" s simulated, deepest stack " in running.stderr.read()
