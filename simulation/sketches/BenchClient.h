@@ -13,12 +13,8 @@ extern "C" {
 MissionItem benchPlan[kPlanItems] FROM_OUTSIDE;
 }
 
-#ifdef BENCH_DIRECT
-MissionClient client(Serial1);
-#else
 Line line(Serial1);
 MissionClient client(line);
-#endif
 
 static ItemSource plan = emptyPlan();
 
@@ -41,17 +37,12 @@ ACTION(limit) { client.setOperationTimeout(numbers[0]); }
 ACTION(backoff) { client.retryWhenBusy(numbers[0]); }
 ACTION(stall) { setStall(numbers); }
 ACTION(counters) { tellCounters(client.counters()); }
-#ifdef BENCH_DIRECT
-#define WORDS_OF_LINE
-#else
 ACTION(room) { line.setRoom(numbers[0]); }
 ACTION(blocked) {
   tell(F("blocked"), line.blocked());
   Serial.println();
 }
-#define WORDS_OF_LINE , WORD(room), WORD(blocked)
-#endif
 
 #define WORDS_OF_CLIENT                                                                                            \
   WORD(ram), WORD(empty), WORD(cancel), WORD(ids), WORD(talk), WORD(speak), WORD(armed), WORD(raw), WORD(waiting), \
-      WORD(limit), WORD(backoff), WORD(stall), WORD(counters) WORDS_OF_LINE
+      WORD(limit), WORD(backoff), WORD(stall), WORD(counters), WORD(room), WORD(blocked)

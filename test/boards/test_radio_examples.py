@@ -12,10 +12,10 @@ import pytest
 
 from example_runs import Run, commands
 from examples import library_folders, sketch_of
+from simulation import arm
 from simulation.fake_autopilot import mavlink
-from simulation.firmware import LIBRARY, ROOT, build_firmware
+from simulation.firmware import ROOT, build_firmware
 from simulation.mega import Image
-from simulation.microbit import CORE, cortex_m0_object
 
 STAND_INS = {"UploadOverEthernet": "ethernet", "UploadOverWifi": "wifi", "WifiAccessPoint": "wifi",
              "OledStatus": "oled"}  # fmt: skip
@@ -28,14 +28,11 @@ def test_each_example_has_its_stand_in():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("board", ["ESP32", "ESP8266"])
-@pytest.mark.parametrize("standard", ["gnu++11", "gnu++20"])
+@pytest.mark.parametrize("standard", arm.STANDARDS)
 @pytest.mark.parametrize("example", STAND_INS)
 def test_example_compiles_without_a_warning(example, standard, board, tmp_path):
-    sketch = sketch_of(example)
-    source = tmp_path / f"{example}.cpp"
-    source.write_text(f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
-    places = [CORE, LIBRARY, SKETCHES / STAND_INS[example]]
-    assert cortex_m0_object(source, [f"-std={standard}", f"-D{board}"], places).is_file()
+    places = [SKETCHES / STAND_INS[example]]
+    assert arm.compiled(arm.source_of(sketch_of(example), tmp_path), standard, places, [f"-D{board}"]).is_file()
 
 
 @cache

@@ -6,7 +6,7 @@
 
     [quick]
     operations = 3               # of this folder's tests that are not marked slow, tools/test --quick runs one in three
-    "boards/test_cortex_m0.py" = 0   # and none of this file's, which counts apart from its folder
+    "boards/test_arm.py" = 0   # and none of this file's, which counts apart from its folder
 
 What is not marked slow stays. Of the others those stay that a checksum of their names and parameters puts first, at
 least one: the sample is the same each time, and hardly moves when another test is added. The rest gets the mark

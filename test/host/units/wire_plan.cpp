@@ -35,8 +35,8 @@ float MissionItem::*const kNumbers[] = {&MissionItem::param1, &MissionItem::para
                                         &MissionItem::param4, &MissionItem::z};
 
 MissionItem at(int32_t x, int32_t y) { return waypoint(Degrees::fromE7(x), Degrees::fromE7(y), 20_m); }
-template <typename Value>
-MissionItem with(Value MissionItem::*field, Value value, MissionItem item) {
+template <typename Field, typename Value>
+MissionItem with(Field MissionItem::*field, Value value, MissionItem item) {
   item.*field = value;
   return item;
 }
@@ -162,7 +162,7 @@ TEST_CASE("places are refused exactly beyond 90 and 180 degrees") {
   CHECK(verdicts(at(0, kLeast)) == "BadLongitude");
   // Parameters 5 and 6 of an item without a place are no coordinates. (A float holds each of these; the bits of the
   // last two are those of an infinity and of a NaN.)
-  for (int32_t number : {1900000000, kLeast, 0x7F800000, 0x7FC00000}) {
+  for (int32_t number : {int32_t{1900000000}, kLeast, int32_t{0x7F800000}, int32_t{0x7FC00000}}) {
     CHECK(verdicts(with(&MissionItem::x, number, with(&MissionItem::y, number, returnToLaunch()))) == "Accepted");
   }
 }

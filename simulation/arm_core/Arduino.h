@@ -1,6 +1,6 @@
-// A small Arduino core for a Cortex-M0, in the shape that ArduinoCore-API gives to the cores of today: its classes are
-// in namespace arduino, flash is memory like any other, int has 32 bits, char has no sign. Names and macros are those
-// that sketches and libraries meet there; the code is the tests' own.
+// The headers of an Arduino core for a Cortex-M0, in the shape that ArduinoCore-API gives to the cores of today: its
+// classes are in namespace arduino, flash is memory like any other. Names and macros are those that sketches and
+// libraries meet there. It is for compiling alone.
 #pragma once
 
 #include <math.h>
