@@ -23,7 +23,7 @@ HERE = Path(__file__).resolve().parent
 # no environment, by which others find the recordings.)
 UNITS = """
 areas eeprom_plan eeprom_timestamps file_read_transfer frame_parser long_number outbox parameters payload
-payload_messages plan_files position_listener sensor_messages telemetry_listeners waypoints_source waypoints_text
+payload_messages plan_files listener_values sensor_messages telemetry_listeners waypoints_source waypoints_text
 wire_plan client_clear client_commands client_download client_readback client_start client_upload client_verify
 moving_target steering_orders
 """.split()

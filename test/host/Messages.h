@@ -24,15 +24,6 @@ std::string wordsOf(const mavmission::OutgoingMessage& message);
 // The shortest number that is this one.
 std::string shortest(float value);
 
-// The message that a payload is.
-template <typename Message>
-Message messageIn(const Bytes& payload) {
-  Message message = Message();
-  const size_t size = payload.size() < sizeof(message) ? payload.size() : sizeof(message);
-  memcpy(&message, payload.data(), size);
-  return message;
-}
-
 // True if such a message of the library's says the same wherever it is made: in memory that is zero, or all ones.
 template <typename Message, typename... Of>
 bool isSameAnywhere(Of... of) {
