@@ -150,4 +150,4 @@ def test_budget_of_ram_is_of_the_client_that_is_linked_and_its_parts_lie_one_aft
     whole = where.client()
     assert {"state_", "link_"} <= {part.name for part in whole.parts}
     assert min(sizes(whole)) > 0
-    assert "`link_.parser_`" in where.ram()  # which raises an error where the linker's size is another one
+    assert "`link_.parser_`" in where.ram()  # It raises an error where the size that the linker gives differs.

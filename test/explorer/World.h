@@ -109,7 +109,7 @@ class World {
   FileServer files_;
   FileReferee fileReferee_;
   uint16_t heartbeatInMs_;  // of the autopilot; kNever where nobody waits for it
-  Mishaps left_;            // that may still happen
+  Mishaps left_;            // what may still happen
   uint8_t isUndisturbed_;   // nothing can happen to the operation any more
   uint8_t spare_[3];
 };

@@ -20,7 +20,7 @@ def heard_within_ms(peer: Peer, ms: int) -> list:
 
 
 @pytest.mark.parametrize("wire", WIRES)
-@pytest.mark.parametrize("kind", KINDS)  # which ask by MISSION_REQUEST, and by MISSION_REQUEST_INT
+@pytest.mark.parametrize("kind", KINDS)  # One asks by MISSION_REQUEST, one by MISSION_REQUEST_INT.
 def test_baseline_uploads_its_two_items(wire, kind):
     peer = Peer(build_baseline(wire).elf, kind, wire, serve=False)
     peer.heartbeat()

@@ -37,7 +37,7 @@ EXPLORER = ROOT / "test" / "explorer"
 OWN_FLAGS = ["-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
 SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library does not know: explorer/Generic.cpp
-MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
+MOST_BYTES = 2_000_000_000  # One exploration may hold so many; two run side by side.
 # Of three operations, with each autopilot, and of two minutes at a console: as many as find each planted defect, in
 # tools/test; and in --all.
 WALKS, ALL_WALKS = 20_000, 100_000

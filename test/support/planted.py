@@ -12,7 +12,7 @@ from simulation.firmware import ROOT, digest, library_file, library_sources
 class Defect(NamedTuple):
     file: str
     words: str  # what shows it
-    rule: str  # that is then broken: how it begins
+    rule: str  # how the rule begins that is broken then
     right: str
     wrong: str
 

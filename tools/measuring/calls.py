@@ -28,8 +28,8 @@ CALLER_BYTES = 3  # the return address of the function around the call, which is
 VARIABLES = ("callDue", "stackBefore", "toSketch", "toSketchRead", "toSketchEnd", "fromSketch", "fromSketchEnd",
              "timer0_millis", "result")  # fmt: skip
 ROOM = 128  # bytes that wait for the sketch
-LONGEST_MS = 200_000  # that an operation may take
-MOST_ITEMS = 0xFFFF  # that the autopilot has room for
+LONGEST_MS = 200_000  # An operation takes no longer.
+MOST_ITEMS = 0xFFFF  # the autopilot has room for so many
 
 
 @functools.cache

@@ -75,8 +75,9 @@ def test_numbers_are_those_of_the_sketch_and_home_is_called_home(page, autopilot
     page.wait_until_good()
     numbers = page.value("[...document.querySelectorAll('#items .number')].map((one) => one.textContent)")
     assert numbers == {"ardupilot": ["home"], "px4": []}[autopilot] + ["0", "1", "2", "3"]
-    on_map = page.value("[...document.querySelectorAll('#map .point.held text')].map((one) => one.textContent)")
-    assert on_map and set(on_map) <= set("0123")
+    held = "[...document.querySelectorAll('#map .point.held text')].map((one) => one.textContent)"
+    page.browser.wait_for(f"return {held}.length")  # the map is drawn a little after the outcome
+    assert set(page.value(held)) <= set("0123")
 
 
 @pytest.mark.slow
