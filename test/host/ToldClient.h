@@ -23,7 +23,7 @@ class ToldClient : public ClientOnLine {
     tell(parts);
   }
 
-  // When a message was requested each so many ms [ms, since `fromMs`]: "2002 4002".
+  // When a message was requested every so many ms [ms, since `fromMs`]: "2002 4002".
   std::string requests(uint16_t messageId, uint32_t intervalMs, uint32_t fromMs = 0) const {
     const std::string request = "COMMAND_LONG target_system 1 target_component 1 command 511 param1 " +
                                 std::to_string(messageId) + " param2 " + std::to_string(1000 * intervalMs);
@@ -37,7 +37,7 @@ class ToldClient : public ClientOnLine {
   }
 };
 
-// The same with one listener, which requests its message each `intervalMs`, or none where that is 0.
+// The same with one listener, which requests its message every `intervalMs`, or none where that is 0.
 template <typename Listener>
 struct Told : ToldClient {
   Listener listener;

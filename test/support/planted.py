@@ -29,6 +29,7 @@ def defects(table: str) -> dict[str, Defect]:
         name, *head = [line for line in lines if not line.startswith(("-", "+"))] or [""]
         file, words, rule, *_ = [*(part.strip() for part in " ".join(head).split("|")), "", ""]
         right, wrong = ("\n".join(line[1:] for line in lines if line.startswith(mark)) for mark in "-+")
+        assert name not in found, f"two defects of {table} have this name: {name}"
         found[name] = Defect(file, words, rule, right, wrong)
     return {name: defect for name, defect in found.items() if name}
 
