@@ -27,6 +27,8 @@ payload_messages plan_files listener_values sensor_messages telemetry_listeners 
 wire_plan client_clear client_commands client_download client_readback client_start client_upload client_verify
 moving_target steering_orders
 """.split()
+# A third of the time of all, and not about the processor. (An emulated program gets its words split at spaces.)
+LONGEST = "the?power?may?go?at?any?byte*"
 DOCTEST = ["-DDOCTEST_CONFIG_NO_MULTITHREADING", "-DDOCTEST_CONFIG_NO_POSIX_SIGNALS"]
 
 
@@ -44,8 +46,8 @@ def test_units_pass_on_an_arm():
     units = [HOST / "units" / f"{name}.cpp" for name in ("main", *UNITS)]
     sources = [*sorted(HOST.glob("*.cpp")), HERE / "getentropy.cpp", *units_together(units)]
     program = build_host("units", sources, arm.COMPILER, [*arm.PROGRAM, *DOCTEST], library=together(library_sources()))
-    ran = arm.run([program, "--no-version"])
-    cases = sum(cases_of(unit) for unit in UNITS)
+    ran = arm.run([program, "--no-version", f"--test-case-exclude={LONGEST}"])
+    cases = sum(cases_of(unit) for unit in UNITS) - 1
     assert ran.returncode == 0 and f"{cases} passed" in ran.stdout, ran.stdout + ran.stderr
 
 
