@@ -43,6 +43,7 @@ def own(page):
     page.begin("#example=StartMission")
     page.browser.run("document.getElementById('own-build').open = true")
     yield page
+    page.browser.run("window.stepped?.release()")
     page.browser.run("document.getElementById('end-build').click()")
     page.browser.run("document.getElementById('own-build').open = false")
 
@@ -52,6 +53,7 @@ def choose(page: Page, names: tuple[str, str] = ("arducopter.js", "arducopter.wa
 
 
 def test_the_sketch_uploads_to_a_build_and_starts_it(own):
+    own.hold()
     choose(own)
     own.wait_for_text("#build-says", "It runs, and the emulated Mega's Serial1 is its SERIAL0.")
     started = own.value("window.started")

@@ -64,6 +64,7 @@ def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered
     browser = page.browser
     browser.run("document.getElementById('real').open = true")
     assert "Remove the propellers." in browser.text("#real")
+    page.hold()
     browser.click("#pixhawk")
     browser.wait_for("return window.opened")
     assert page.value("window.opened") == {"baudRate": 57600}
