@@ -266,10 +266,10 @@ uint16_t ClientUnderTest::nextMs() const {
   }
   if (isReading(c)) {
     const DownloadTransfer& t = c.reading_.transfer;
-    if (t.asked_ == 0) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
+    if (t.pending_ == 0) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
-    const uint16_t severalMs = t.asked_ > 1 ? kRoundTripMs + Pace::kLeastMs : 0;
+    const uint16_t severalMs = t.pending_ > 1 ? kRoundTripMs + Pace::kLeastMs : 0;
     return std::min(next, leftOf(std::max(pace.waitMs(waitMs), severalMs), t.sentMs_));
   }
   const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & kFromOpen) != 0;
@@ -380,7 +380,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   }
   if (!c.link_.outbox_.isHeld()) {
     blank(c.link_.outbox_);
-    c.rest_.prepared = 0;
+    c.session_.prepared = 0;
   }
   c.state_.isTimeLeft = false;
   c.state_.tickMs = kNow;

@@ -87,9 +87,9 @@ const char* FileReferee::sentAnew(const Message& message, const FileWords& words
     const bool isOfRunning = isRunning && words.opcode != kFileBurst;
     if (asked.what == message.opaqueId && isOfRunning) return "a request is repeated under a number of its own";
   }
-  const bool isSpoilt = words.opcode == kFileWrite && words.isHeader() && words.count == FileWords::kSpoilt;
-  if (words.opcode != kFileTerminate && !isSpoilt && !isRunning) return "a request is sent after the end";
-  if (words.opcode != kFileWrite || isSpoilt) memset(static_cast<void*>(open), 0, sizeof(open));
+  const bool isWithdrawn = words.opcode == kFileWrite && words.isHeader() && words.count == FileWords::kWithdrawn;
+  if (words.opcode != kFileTerminate && !isWithdrawn && !isRunning) return "a request is sent after the end";
+  if (words.opcode != kFileWrite || isWithdrawn) memset(static_cast<void*>(open), 0, sizeof(open));
   switch (words.opcode) {
     case kFileCreate:
     case kFileOpen:
@@ -101,9 +101,9 @@ const char* FileReferee::sentAnew(const Message& message, const FileWords& words
       return nullptr;
 
     case kFileWrite:
-      if (isSpoilt) {
+      if (isWithdrawn) {
         if (closings < kUnsureClosings) ++closings;
-        return isRunning ? "a header is spoilt" : nullptr;
+        return isRunning ? "a header is withdrawn" : nullptr;
       }
       if (!isOpen || !isWriting) return "it is written to a file that is not open";
       if (words.isHeader()) {
@@ -162,7 +162,7 @@ void FileReferee::heard(const Message& message) {
       return;
     case kFileWrite:
       if (!isAnswer) return;
-      if (request.isHeader() && request.count == FileWords::kSpoilt) {
+      if (request.isHeader() && request.count == FileWords::kWithdrawn) {
         isStorable = false;  // refused: it is open for reading
       } else if (isAck && request.isHeader()) {
         isHeaderWritten = true;

@@ -37,7 +37,7 @@ struct FileReferee {
   uint8_t isStorable;  // the file that may be open has its header
   uint8_t hasSent;     // a request of this operation
   uint8_t even[2];     // always 0: without a hole, states can be compared by their bytes
-  uint8_t closings;    // TERMINATEs, and headers spoilt after the end, since it was opened, kUnsureClosings at most
+  uint8_t closings;    // TERMINATEs, and headers withdrawn after the end, since it was opened, kUnsureClosings at most
 
   void begin();
   // What was open before is to be closed, if it has its header, not as it is.

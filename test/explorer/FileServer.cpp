@@ -51,9 +51,9 @@ FileWords FileServer::done(const Message& request, const FileWords& words, const
     return said;
   }
   if (isWriting && asked.isHeader()) {
-    const bool isSpoilt = asked.count == FileWords::kSpoilt;
-    header = static_cast<uint8_t>(isSpoilt ? 0 : asked.count + 1);
-    if (!isSpoilt) extent = std::max(extent, asked.count);
+    const bool isWithdrawn = asked.count == FileWords::kWithdrawn;
+    header = static_cast<uint8_t>(isWithdrawn ? 0 : asked.count + 1);
+    if (!isWithdrawn) extent = std::max(extent, asked.count);
     return said;
   }
   if (isWriting) {

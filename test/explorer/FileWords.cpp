@@ -45,11 +45,11 @@ const char* decodeWrite(const Bytes& payload, Firmwares firmware, FileWords& wor
   const uint32_t offset = frame.offset;
   if (offset == 0) {
     words.first = FileWords::kHeader;
-    words.count = FileWords::kSpoilt;
+    words.count = FileWords::kWithdrawn;
     if (size == kFileHeader && dataIn(payload, 0, size) == Bytes(size, 0)) return nullptr;
     const FileHeader header = messageIn<FileHeader>(dataIn(payload, 0, kFileHeader));
     if (size != kFileHeader || header.magic != FileHeader::kMagic || header.type != 0 || header.options != 0 ||
-        header.start != 0 || header.count >= FileWords::kSpoilt) {
+        header.start != 0 || header.count >= FileWords::kWithdrawn) {
       return "a wrong header is written";
     }
     words.count = static_cast<uint8_t>(header.count);
@@ -77,7 +77,7 @@ std::string fileInWords(const Message& message) {
     default: text += "BURST"; break;
   }
   const bool hasPlace = words.opcode == kFileRead || words.opcode == kFileWrite || words.opcode == kFileBurst;
-  if (hasPlace && words.isHeader() && words.count == FileWords::kSpoilt)
+  if (hasPlace && words.isHeader() && words.count == FileWords::kWithdrawn)
     text += " of zeros in the place of the header,";
   else if (hasPlace && words.isHeader())
     text += " of the header, " + std::to_string(words.count) + " items,";

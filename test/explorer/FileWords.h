@@ -16,8 +16,8 @@ enum FileOpcode : uint8_t {
 enum FileError : uint8_t { kFileFail = 1, kFileInvalidSession = 4, kFileEnd = 6, kFileNotFound = 10 };
 
 struct FileWords {
-  static constexpr uint8_t kHeader = 15;  // as `first`: the header of the file
-  static constexpr uint8_t kSpoilt = 14;  // as `count` of a header that is written: zeros, which no plan has
+  static constexpr uint8_t kHeader = 15;     // as `first`: the header of the file
+  static constexpr uint8_t kWithdrawn = 14;  // as `count` of a header that is written: zeros, which no plan has
 
   uint8_t opcode;   // of the request
   uint8_t session;  // of the request

@@ -106,7 +106,7 @@ AROUND = (
         ),
     ),
     Subject("Start", ("client_start", "client_mission_name"), is_flown=True),
-    Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers")),
+    Subject("ContinueAfter", ("client_readback", "client_parts", "client_late_answers")),
     Subject(
         "Upload",
         ("client_upload_ends", "client_readback", "client_mission_name", "client_late_answers", "client_parts"),

@@ -150,9 +150,9 @@ void makeWhole(void* number) {
   const uint8_t biased = biasedExponent(bits);
   if (biased >= kBias + 23) return;
   if (biased < kBias) bits = 0;
-  const uint8_t behind = kBias + 23 - biased;
-  for (uint8_t i = behind; i != 0; --i) bits >>= 1;
-  for (uint8_t i = behind; i != 0; --i) bits <<= 1;
+  const uint8_t fractionBits = kBias + 23 - biased;
+  for (uint8_t i = fractionBits; i != 0; --i) bits >>= 1;
+  for (uint8_t i = fractionBits; i != 0; --i) bits <<= 1;
   store(number, bits);
 }
 
@@ -180,12 +180,12 @@ void throughFloat(void* integer) {
   uint8_t unit = 1, above = static_cast<uint8_t>(value >> 24);
   if ((above & 0x80) != 0) above = static_cast<uint8_t>(~above);
   for (; above != 0; above >>= 1) unit <<= 1;
-  // Twice what is behind the units, and 1 if their number is odd: more than half a unit, or just that and odd.
+  // Twice what remains below the units, and 1 if their number is odd: more than half a unit, or just that and odd.
   const uint8_t low = static_cast<uint8_t>(value);
-  const uint8_t behind = low & (unit - 1);
-  uint8_t twice = static_cast<uint8_t>(behind << 1);
+  const uint8_t remainder = low & (unit - 1);
+  uint8_t twice = static_cast<uint8_t>(remainder << 1);
   if ((low & unit) != 0) twice |= 1;
-  value -= behind;
+  value -= remainder;
   if (twice > unit) value += unit;
   store(integer, value);
 }

@@ -182,7 +182,8 @@ struct ClientRules {
 struct FlightRules {
   static constexpr uint16_t kReadyS = 300;         // from its beginning until it must have been armed
   static constexpr uint16_t kReadyAgainMs = 5000;  // from a refusal on the ground to the next attempt
-  // From an upload that was acknowledged without a proof to the next one, which late answers to it can no longer spoil.
+  // From an upload that was acknowledged without a proof to the next one, which late answers to it can no longer
+  // disturb.
   static constexpr uint16_t kProvenAgainMs = ClientRules::kLeftoversMs + 1000;
   static constexpr uint16_t kOrderAgainMs = 1000;     // from a refusal in the air to the next attempt
   static constexpr uint16_t kLossySilenceMs = 10000;  // without a heartbeat, on the ground and on a lossy link

@@ -13,10 +13,10 @@ struct Client::BackingOff {
 };
 
 void MissionClient::retryWhenBusy(uint16_t seconds) {
-  rest_.backOffLimitS = seconds;
-  rest_.options.backOff = seconds != 0 ? BackingOff::begin : nullptr;
-  if (rest_.options.goOn == nullptr) rest_.options.goOn = Uploading::backsOff;
-  rest_.options.takeUp = Uploading::takeUp;
+  session_.backOffLimitS = seconds;
+  session_.options.backOff = seconds != 0 ? BackingOff::begin : nullptr;
+  if (session_.options.goOn == nullptr) session_.options.goOn = Uploading::backsOff;
+  session_.options.continueAfter = Uploading::continueAfter;
 }
 
 // Begins the back-off after a refusal of COUNT; false if the time allowed is over.
@@ -24,12 +24,13 @@ bool Client::BackingOff::begin(Client& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && has(client.firmware(), kSaysErrorWhenBusy)))
     return false;
-  if (client.rest_.backOffPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
-  client.rest_.backOffPauseS = client.rest_.backOffPauseS == 0                      ? BackOffRules::kFirstS
-                               : client.rest_.backOffPauseS >= BackOffRules::kMostS ? BackOffRules::kMostS
-                                                                                    : 2 * client.rest_.backOffPauseS;
-  if (state.seconds + client.rest_.backOffPauseS > client.rest_.backOffLimitS) return false;
-  client.state_.limitFromS = state.seconds + client.rest_.backOffPauseS;
+  if (client.session_.backOffPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
+  client.session_.backOffPauseS = client.session_.backOffPauseS == 0 ? BackOffRules::kFirstS
+                                  : client.session_.backOffPauseS >= BackOffRules::kMostS
+                                      ? BackOffRules::kMostS
+                                      : 2 * client.session_.backOffPauseS;
+  if (state.seconds + client.session_.backOffPauseS > client.session_.backOffLimitS) return false;
+  client.state_.limitFromS = state.seconds + client.session_.backOffPauseS;
   state.status = Status::BackingOff;
   state.operation = step;
   return true;

@@ -19,18 +19,18 @@ Client::Client(Stream& stream) {
   state_.failedItem = kNoItem;
   state_.lastResult = 255;
   state_.unsettled = kFromOpen;
-  rest_.planType = PlanType::All;
+  session_.planType = PlanType::All;
 }
 
 void MissionClient::onProgress(ProgressFunction function, void* context) {
-  rest_.progress = function;
-  rest_.progressContext = context;
+  session_.progress = function;
+  session_.progressContext = context;
 }
 
 void MissionClient::onEnd(EndFunction function, void* context) {
-  rest_.ended = function;
-  rest_.endedContext = context;
-  rest_.tellEnd = function != nullptr ? tellEnd : nullptr;
+  session_.ended = function;
+  session_.endedContext = context;
+  session_.tellEnd = function != nullptr ? tellEnd : nullptr;
 }
 
 void MissionClient::setSourceIds(uint8_t systemId, uint8_t componentId) { link_.setSourceIds(systemId, componentId); }
@@ -67,9 +67,9 @@ Status Client::startOperation(Step operation) {
   state_.itemsDone = 0;
   state_.itemsTotal = 0;
   state_.lastResult = 255;
-  rest_.field = ItemField::None;
+  session_.field = ItemField::None;
   state_.proving = false;
-  rest_.backOffPauseS = 0;
+  session_.backOffPauseS = 0;
   state_.isCommanding = false;
   state_.isPlanless = false;
   state_.isDoubtful = false;
@@ -84,8 +84,8 @@ void Port::end(Status status) {
   client.state_.operation = nullptr;
   client.state_.status = status;
   // The first of two ends: the other one is a refusal, and whoever asked has got it.
-  if (client.rest_.toReturn == Status::Idle) client.rest_.toReturn = status;
-  if (client.rest_.tellEnd != nullptr) client.rest_.tellEnd(client, status);
+  if (client.session_.toReturn == Status::Idle) client.session_.toReturn = status;
+  if (client.session_.tellEnd != nullptr) client.session_.tellEnd(client, status);
 }
 
 // The function may begin an operation that ends at once: the next update() then tells about that end. Otherwise a
@@ -96,12 +96,12 @@ void Client::tellEnd(Client& client, Status status) {
     return;
   }
   client.state_.isTelling = true;
-  client.rest_.ended(client.rest_.endedContext, status);
+  client.session_.ended(client.session_.endedContext, status);
   client.state_.isTelling = false;
 }
 
 void Client::tellLaterStep(Client& client, const FrameParser* frame, uint16_t) {
-  if (frame == nullptr && client.rest_.toReturn == Status::Idle) client.end(client.state_.status);
+  if (frame == nullptr && client.session_.toReturn == Status::Idle) client.end(client.state_.status);
 }
 
 void Client::expectAnswers(uint8_t what) {
@@ -122,11 +122,11 @@ void Client::tellCancelled(PlanType type) { state_.cancelled = static_cast<uint8
 // A callback is called in the middle of an operation, which goes on to the end of this update().
 void MissionClient::cancel() {
   if (state_.atEnd == nullptr) return cancelNow();
-  if (state_.operation != nullptr) state_.atEnd = rest_.toReturn == Status::Idle ? cancelAtEnd : cancelSecond;
+  if (state_.operation != nullptr) state_.atEnd = session_.toReturn == Status::Idle ? cancelAtEnd : cancelSecond;
 }
 
 void Client::cancelAtEnd(Client& client) {
-  if (client.rest_.toReturn == Status::Idle) client.cancelNow();  // otherwise it has ended by itself
+  if (client.session_.toReturn == Status::Idle) client.cancelNow();  // otherwise it has ended by itself
 }
 
 // Cancels an operation that was begun in this update(), behind the end of another one. update() returns that end, and
@@ -156,7 +156,7 @@ void Port::waitForAutopilot() {
   Client& client = static_cast<Client&>(*this);
   Client::State& state = client.state_;
   // An update() returns one end: this operation goes on in the next one.
-  if (client.rest_.toReturn != Status::Idle) return;
+  if (client.session_.toReturn != Status::Idle) return;
   const AutopilotFinder& finder = client.link_.finder();
   if (finder.isCertain()) {
     // Whatever was seen before loop() stood still may be over. (A loop() that is always slow sees nothing else: it goes
@@ -173,14 +173,14 @@ void Port::waitForAutopilot() {
     state.status = Status::Checking;
     return;
   }
-  if (client.rest_.waitingLimitS == 0 || state.seconds < client.rest_.waitingLimitS) return;
+  if (client.session_.waitingLimitS == 0 || state.seconds < client.session_.waitingLimitS) return;
   end(finder.severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
 }
 
 void Client::report(uint16_t done) {
   if (done <= state_.itemsDone) return;
   state_.itemsDone = done;
-  if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, state_.itemsTotal);
+  if (session_.progress != nullptr) session_.progress(session_.progressContext, state_.itemsDone, state_.itemsTotal);
 }
 
 void Client::sendAck(uint8_t result, PlanType type) { sendShort(KeyIndex::MISSION_ACK, result, type); }
@@ -200,9 +200,9 @@ void Client::sendShort(KeyIndex message, uint16_t number, PlanType type) {
   payload[0] = static_cast<uint8_t>(number);
   payload[1] = static_cast<uint8_t>(number >> 8);
   const MessageKey* const key = &kKeys[static_cast<uint8_t>(message)];
-  uint8_t* behindTarget = payload + fromFlash(&key->target) + 2;
-  if (message == KeyIndex::MISSION_ACK) *behindTarget++ = static_cast<uint8_t>(number);
-  *behindTarget = static_cast<uint8_t>(type);
+  uint8_t* afterTarget = payload + fromFlash(&key->target) + 2;
+  if (message == KeyIndex::MISSION_ACK) *afterTarget++ = static_cast<uint8_t>(number);
+  *afterTarget = static_cast<uint8_t>(type);
   link_.sendMessage(payload, key);
 }
 
@@ -220,7 +220,7 @@ void Client::onTick(uint16_t nowMs) {
     ++state_.seconds;
     link_.pace().onSecond();
     if (state_.unsettled >= kOneSecond) state_.unsettled -= kOneSecond;
-    const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(state_.itemsTotal);
+    const uint16_t limitS = session_.transferLimitS != 0 ? session_.transferLimitS : defaultLimitS(state_.itemsTotal);
     // Its limit does not count while an autopilot is waited for.
     if (state_.status == Status::WaitingForAutopilot) {
       state_.limitFromS = state_.seconds + 1;
@@ -280,8 +280,8 @@ Status Client::updateAt(uint32_t exactMs) {
 
   state_.atEnd(*this);
   state_.atEnd = nullptr;
-  const Status ended = rest_.toReturn;
-  rest_.toReturn = Status::Idle;
+  const Status ended = session_.toReturn;
+  session_.toReturn = Status::Idle;
   if (ended != Status::Idle) return ended;
   return state_.operation != nullptr ? state_.status : Status::Idle;
 }

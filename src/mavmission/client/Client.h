@@ -41,8 +41,9 @@ enum class KeyIndex : uint8_t;
 struct Options {
   // Begins the read-back.
   void (*readBack)(Client& client, uint16_t nowMs);
-  // Takes up the end of an upload, with the options here: true if the operation goes on. Null while none is chosen.
-  bool (*takeUp)(Client& client, Status status, uint16_t nowMs);
+  // Continues after the end of an upload, by the options here: true if the operation goes on. Null while none is
+  // chosen.
+  bool (*continueAfter)(Client& client, Status status, uint16_t nowMs);
   // Begins the back-off after a refusal: true if there is time for it.
   bool (*backOff)(Client& client, Status refusal);
   // Looks first at how an upload has ended, for a back-off or for the MISSION_ITEM fallback, which looks for a back-off
@@ -97,8 +98,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   bool hasItem(uint16_t item);
   uint8_t vehicleType() const { return link_.finder().vehicleType(); }
   bool isVehicleAsked() const;
-  StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
-  StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
+  StartStep startStep() const { return static_cast<StartStep>(session_.startStep); }
+  StartArming startArming() const { return static_cast<StartArming>(session_.startArming); }
   Status updateAt(uint32_t exactMs);
   MAVMISSION_APART void forgetAutopilot();
   MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
@@ -122,13 +123,13 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void setAboard(Aboard what) { setAboard(state_.type, what); }
   void setAboard(PlanType type, Aboard what) { known_.aboard[static_cast<uint8_t>(type) & 3] = what; }
   // True if the mission that aboard() is about is plan_: a plan that was refused is not.
-  bool isMissionInPlan() const { return rest_.planType == PlanType::Mission && isOfPlan(); }
+  bool isMissionInPlan() const { return session_.planType == PlanType::Mission && isOfPlan(); }
   bool isOfPlan() const { return known_.aboard[kOfPlan] != Aboard::NotKnown; }
   void setOfPlan(bool isOf) { known_.aboard[kOfPlan] = isOf ? Aboard::OurPlan : Aboard::NotKnown; }
   MAVMISSION_APART void beginPlan();
   MAVMISSION_APART Status keeping(const MissionItem& item);
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
-  bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && rest_.prepared == wireItem; }
+  bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && session_.prepared == wireItem; }
   uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }
   MAVMISSION_ONE_EXIT void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
@@ -147,7 +148,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // Of the mission aboard, whatever plan_ is.
   ItemNumbers numbersAboard() const {
     ItemNumbers numbers;
-    numbers.begin(firmware(), PlanType::Mission, rest_.raw);
+    numbers.begin(firmware(), PlanType::Mission, session_.raw);
     return numbers;
   }
   void noteAccepted();
@@ -213,8 +214,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     void (*atEnd)(Client& client);
   };
 
-  // Settings and results.
-  struct Rest {
+  // What lasts from one operation to the next: what the sketch has set, and results that it may ask for.
+  struct Session {
     Options options;
     // Announces a part of the plan, and limits the upload to it; null: the whole plan, announced by MISSION_COUNT.
     void (*announcePart)(Client& client);
@@ -326,7 +327,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
 #ifdef __clang__
 #pragma clang diagnostic pop
 #endif
-  Rest rest_;
+  Session session_;
   Known known_;
   Link link_;
 };

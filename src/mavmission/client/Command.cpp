@@ -15,18 +15,18 @@ using namespace detail;
 namespace {
 
 // The status of a MAV_RESULT that lies `more` above `first`.
-constexpr Status behind(Status first, uint8_t more) { return static_cast<Status>(static_cast<uint8_t>(first) + more); }
+constexpr Status offset(Status first, uint8_t more) { return static_cast<Status>(static_cast<uint8_t>(first) + more); }
 
-static_assert(behind(Status::CommandRejected, MAV_RESULT_FAILED - 1) == Status::CommandFailed &&
-                  behind(Status::CommandLongOnly, MAV_RESULT_NOT_IN_CONTROL - MAV_RESULT_COMMAND_LONG_ONLY) ==
+static_assert(offset(Status::CommandRejected, MAV_RESULT_FAILED - 1) == Status::CommandFailed &&
+                  offset(Status::CommandLongOnly, MAV_RESULT_NOT_IN_CONTROL - MAV_RESULT_COMMAND_LONG_ONLY) ==
                       Status::NotInControl,
               "Status must list the results of commands in the order of MAV_RESULT");
 
 Status fromCommandResult(uint8_t result) {
   if (result == MAV_RESULT_ACCEPTED) return Status::Done;
-  if (result <= MAV_RESULT_FAILED) return behind(Status::CommandRejected, result - MAV_RESULT_TEMPORARILY_REJECTED);
+  if (result <= MAV_RESULT_FAILED) return offset(Status::CommandRejected, result - MAV_RESULT_TEMPORARILY_REJECTED);
   if (result < MAV_RESULT_COMMAND_LONG_ONLY || result > MAV_RESULT_NOT_IN_CONTROL) return Status::CommandRefused;
-  return behind(Status::CommandLongOnly, result - MAV_RESULT_COMMAND_LONG_ONLY);
+  return offset(Status::CommandLongOnly, result - MAV_RESULT_COMMAND_LONG_ONLY);
 }
 
 // True if its param1 is not 0.
@@ -65,7 +65,7 @@ void Client::nextCommand(FillCommand fill) {
 void CommandPort::lookAtClock(uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
   const Link& link = client.link_;
-  if (client.commanding_.transfer.look(link.isOld(), link.isBlind(), nowMs)) client.link_.spoil();
+  if (client.commanding_.transfer.look(link.isOld(), link.isBlind(), nowMs)) client.link_.withdraw();
 }
 
 void Client::Command::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -82,7 +82,7 @@ void Client::Command::step(Client& client, const FrameParser* frame, uint16_t no
     // An order that could not be begun for so long is not meant any more: somebody may stand beside the aircraft. (What
     // has no events of its own only asks for messages.)
     const bool isOrder = client.commanding_.on != nullptr;
-    if (state.status == Status::WaitingForAutopilot && isOrder && client.rest_.waitingLimitS == 0 &&
+    if (state.status == Status::WaitingForAutopilot && isOrder && client.session_.waitingLimitS == 0 &&
         state.seconds >= kOrderWaitS) {
       client.end(client.link_.finder().severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
     }

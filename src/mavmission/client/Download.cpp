@@ -23,7 +23,7 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
 Status Client::ReadingPlan::store(Client& client, uint16_t wireItem, MissionItem& item) {
   const ItemSink& sink = client.reading_.sink;
   if (sink.isReady != nullptr && !sink.isReady(sink.context)) return Status::Checking;
-  if (!client.rest_.raw) fromWire(item, client.plan_.firmware());
+  if (!client.session_.raw) fromWire(item, client.plan_.firmware());
   static_assert(kHomeIndex == static_cast<uint16_t>(0 - 1), "the number that ItemNumbers::toOwn() gives home");
   return sink.write(sink.context, client.ownItem(wireItem), item) ? Status::Transferring : Status::SinkFull;
 }

@@ -70,7 +70,7 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
   client.setAboard(Aboard::NotKnown);  // what was known was about the plan before
   beginLook(client, nowMs);
   client.state_.proving = true;  // no progress is reported for the look
-  client.rest_.field = ItemField::None;
+  client.session_.field = ItemField::None;
   client.state_.status = Status::Transferring;
 }
 
@@ -112,7 +112,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM:
       ReadingPlan::takeNext(client, frame, nowMs);
-      if (client.state_.operation == step && client.rest_.field != ItemField::None) replaceOther(client);
+      if (client.state_.operation == step && client.session_.field != ItemField::None) replaceOther(client);
       return;
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
@@ -143,7 +143,7 @@ void Client::Ensuring::takeCount(Client& client, const FrameParser& frame, uint1
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
   client.reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
   if (!client.isOurCount(count)) {
-    client.rest_.field = ItemField::Count;
+    client.session_.field = ItemField::Count;
     return replaceOther(client);
   }
   // Our checksum is that of the items as integers.
@@ -157,13 +157,13 @@ void Client::Ensuring::takeCount(Client& client, const FrameParser& frame, uint1
   }
 }
 
-// Compares an item of the look. A difference is left in rest_.field for frame().
+// Compares an item of the look. A difference is left in session_.field for frame().
 Status Client::Ensuring::takeItem(Client& client, uint16_t wireItem, MissionItem& item) {
   const Status compared = ReadingPlan::compare(client, wireItem, item);
   if (compared == Status::Transferring || compared == Status::Checking) return compared;
   client.noteFailed(wireItem);
   if (compared != Status::Differs) {
-    client.rest_.field = ItemField::None;
+    client.session_.field = ItemField::None;
     endLook(client, compared);
   }
   return Status::Checking;  // nothing more is made of this item
@@ -196,11 +196,11 @@ void Client::Ensuring::freedStep(Client& client, const FrameParser* frame, uint1
   if (client.isArmed()) return client.end(Status::Armed);
   state.limitFromS = state.seconds;  // the upload has its whole time
   state.failedItem = kNoItem;
-  client.rest_.field = ItemField::None;
+  client.session_.field = ItemField::None;
   client.state_.lastResult = 255;
   client.state_.proving = false;
-  client.rest_.options.takeUp = takeUp;
-  if (client.rest_.options.readBack == ReadingPlan::prove) client.rest_.options.readBack = prove;
+  client.session_.options.continueAfter = continueAfterFirst;
+  if (client.session_.options.readBack == ReadingPlan::prove) client.session_.options.readBack = prove;
   state.operation = Uploading::step;
   Uploading::begin(client, nowMs);
 }
@@ -238,7 +238,7 @@ void Client::Ensuring::endLook(Client& client, Status status) {
     client.tellCancelled();
   }
   client.expectAnswers(kFromBusy);  // our last message may be lost
-  if (client.rest_.options.backOff != nullptr && client.rest_.options.backOff(client, status)) {
+  if (client.session_.options.backOff != nullptr && client.session_.options.backOff(client, status)) {
     client.state_.operation = backOffStep;
     return;
   }
@@ -247,17 +247,17 @@ void Client::Ensuring::endLook(Client& client, Status status) {
 
 // ArduPilot denies reading while it receives our plan. So the first denial of MISSION_COUNT may be the answer to a
 // MISSION_REQUEST_LIST of the look that the line has repeated: COUNT is sent again before a denial is believed.
-bool Client::Ensuring::takeUp(Client& client, Status status, uint16_t nowMs) {
-  client.rest_.options.takeUp = takeUpAgain;
+bool Client::Ensuring::continueAfterFirst(Client& client, Status status, uint16_t nowMs) {
+  client.session_.options.continueAfter = continueAfter;
   if (status == Status::Denied && !client.transfer_.hasBegun()) return true;
-  return takeUpAgain(client, status, nowMs);
+  return continueAfter(client, status, nowMs);
 }
 
 // After a back-off it is looked again: the transfer that was waited for may have brought our plan, or another one.
-bool Client::Ensuring::takeUpAgain(Client& client, Status status, uint16_t nowMs) {
+bool Client::Ensuring::continueAfter(Client& client, Status status, uint16_t nowMs) {
   const bool hasBegun = client.transfer_.hasBegun();
-  client.rest_.options.takeUp = Uploading::takeUp;
-  if (Uploading::takeUp(client, status, nowMs)) {
+  client.session_.options.continueAfter = Uploading::continueAfter;
+  if (Uploading::continueAfter(client, status, nowMs)) {
     if (client.state_.status == Status::BackingOff) client.state_.operation = backOffStep;
     return true;
   }

@@ -15,8 +15,8 @@ struct Client::Ensuring : OperationParts {
   static void prove(Client& client, uint16_t nowMs);
   static void proofStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void backOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static bool takeUp(Client& client, Status status, uint16_t nowMs);
-  static bool takeUpAgain(Client& client, Status status, uint16_t nowMs);
+  static bool continueAfterFirst(Client& client, Status status, uint16_t nowMs);
+  static bool continueAfter(Client& client, Status status, uint16_t nowMs);
   static Status takeItem(Client& client, uint16_t wireItem, MissionItem& item);
   static void checkNext(Client& client, uint16_t nowMs);
   static Status sum(Client& client, uint16_t wireItem);

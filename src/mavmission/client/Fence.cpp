@@ -68,7 +68,7 @@ Status PlanPort::checkNextOfAny() {
   }
   if (verdict.status == Status::BadFence) item -= areas.unfinished();
   noteFailed(item);
-  client.rest_.field = verdict.field;
+  client.session_.field = verdict.field;
   client.end(verdict.status);
   return Status::Checking;
 }
@@ -86,8 +86,9 @@ Status MissionClient::uploadWithoutReadback(const ItemSource& plan, PlanType typ
 
 Status MissionClient::uploadAgain() {
   if (state_.operation == nullptr) {
-    rest_.announcePart = nullptr;  // the whole plan, also where a part of it was uploaded
-    if (rest_.options.takeUp != nullptr) rest_.options.takeUp = Uploading::takeUp;  // ensure() has one of its own
+    session_.announcePart = nullptr;  // the whole plan, also where a part of it was uploaded
+    if (session_.options.continueAfter != nullptr)
+      session_.options.continueAfter = Uploading::continueAfter;  // ensure() has one of its own
   }
   return checkAreas(uploadKeptPlan());
 }
@@ -110,7 +111,7 @@ Status PlanPort::startUploading(const ItemSource& plan, PlanType type, Readback 
   Client& client = static_cast<Client&>(*this);
   const bool isDoubtful = isShortFence(plan, type);
   const Status status = client.uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
-  if (isDoubtful && !isEnd(status)) client.rest_.options.readBack = Client::ShortFence::prove;
+  if (isDoubtful && !isEnd(status)) client.session_.options.readBack = Client::ShortFence::prove;
   return checkAreas(status);
 }
 
@@ -143,7 +144,7 @@ void Client::ShortFence::settleStep(Client& client, const FrameParser* frame, ui
 void Client::ShortFence::settleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr || client.state_.seconds < FenceRules::kSettleS) return;
   ReadingPlan::prove(client, nowMs);
-  client.rest_.options.readBack = prove;  // for the next uploadAgain()
+  client.session_.options.readBack = prove;  // for the next uploadAgain()
 }
 
 void Client::ShortFence::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -154,7 +155,7 @@ void Client::ShortFence::step(Client& client, const FrameParser* frame, uint16_t
                       frame->payloadWord(offsetof(Count, count)) == 0;
   if (!isNone || !client.plan_.has(kWipesShortFences)) return ReadingPlan::readOn(client, frame, nowMs);
   client.state_.proving = false;
-  client.rest_.options.readBack = proveAgain;
+  client.session_.options.readBack = proveAgain;
   client.state_.operation = Uploading::step;
   Uploading::begin(client, nowMs);
   client.state_.isDoubtful = true;

@@ -38,9 +38,9 @@ bool Client::Uploading::fallBackToFloats(Client& client, Status status, uint16_t
 }
 
 void MissionClient::useMissionItemFallback(bool always) {
-  rest_.options.toFloats = toFloats;
-  rest_.options.goOn = Uploading::fallBackToFloats;
-  rest_.options.takeUp = Uploading::takeUp;
+  session_.options.toFloats = toFloats;
+  session_.options.goOn = Uploading::fallBackToFloats;
+  session_.options.continueAfter = Uploading::continueAfter;
   state_.floatItems = always;
 }
 

@@ -14,7 +14,7 @@ float MissionClient::keptValue() {
   Status read = isItem ? Status::Checking : Status::NotKept;
   while (read == Status::Checking) read = plan_.read(plan_.numbers().toWire(state_.failedItem), item);
   if (read != Status::Accepted) return Yaw().inDegrees();  // NaN
-  return mavmission::keptValue(item, rest_.field, plan_.keeper());
+  return mavmission::keptValue(item, session_.field, plan_.keeper());
 }
 
 }  // namespace mavmission

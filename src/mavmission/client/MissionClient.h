@@ -189,7 +189,7 @@ class MissionClient : private detail::Client {
   uint16_t itemsTotal() const { return Client::itemsTotal(); }
   // After Status::Differs the field that differs; after Status::NotKept the field that would be stored as another
   // value; after the refusal of a fence or of rally points as such (BadFence) the field that is wrong.
-  ItemField differingField() const { return rest_.field; }
+  ItemField differingField() const { return session_.field; }
   // After an operation with a plan has ended with Status::NotKept: the value that the autopilot would store in that
   // field. keptValue() reads the item from the plan's source again. It returns NaN if the value is not known (the
   // autopilot would refuse it, or the result depends on its board), and after any other status.
@@ -274,7 +274,7 @@ class MissionClient : private detail::Client {
   void allowWhileArmed(bool allow) { state_.armedAllowed = allow; }
   // With true, item numbers and jump targets are those of the autopilot: on ArduPilot item 0 is home, and the plan has
   // to contain it.
-  void useRawNumbering(bool raw) { rest_.raw = raw; }
+  void useRawNumbering(bool raw) { session_.raw = raw; }
   // If another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), an upload is tried again
   // after 1, 2, 4, then every 8 s, for at most `seconds` after the first refusal; then it ends with the status of the
   // refusal. While it waits, the status is BackingOff. 0: no retry. A sketch that calls it takes more flash
@@ -287,10 +287,10 @@ class MissionClient : private detail::Client {
   void useMissionItemFallback(bool always = false);
   // The longest wait for an autopilot [s]; an operation then ends with Status::NoAutopilot. 0, the default: 10 s for
   // commands, but for setMessageInterval(); no limit for anything else.
-  void setAutopilotTimeout(uint16_t seconds) { rest_.waitingLimitS = seconds; }
+  void setAutopilotTimeout(uint16_t seconds) { session_.waitingLimitS = seconds; }
   // The longest time for a transfer or a command [s], from when the autopilot was found; it then ends with
   // Status::TookTooLong. 0, the default: 120 s, and 2 s for each item.
-  void setOperationTimeout(uint16_t seconds) { rest_.transferLimitS = seconds; }
+  void setOperationTimeout(uint16_t seconds) { session_.transferLimitS = seconds; }
 
  private:
   friend class detail::Port;

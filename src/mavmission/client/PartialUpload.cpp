@@ -13,11 +13,11 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan);
   if (isEnd(status)) return status;
-  rest_.announcePart = Uploading::announcePart;
+  session_.announcePart = Uploading::announcePart;
   partFirst_ = first;
   partCount_ = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
-    rest_.planType = PlanType::All;  // there is no whole plan for uploadAgain()
+    session_.planType = PlanType::All;  // there is no whole plan for uploadAgain()
     return refuse(Status::BadRange);
   }
   return state_.status;
@@ -25,12 +25,12 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
 
 void Client::Uploading::announcePart(Client& client) {
   const uint16_t first = client.plan_.numbers().toWire(client.partFirst_);
-  const uint16_t behind = first + client.partCount_;
+  const uint16_t end = first + client.partCount_;
   // Before the first announcement nothing is taken for an answer to it.
-  if (client.transfer_.tries() == 0) client.transfer_.limitTo(first, behind);
+  if (client.transfer_.tries() == 0) client.transfer_.limitTo(first, end);
   mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
   list.start_index = static_cast<int16_t>(first);
-  list.end_index = static_cast<int16_t>(behind - 1);
+  list.end_index = static_cast<int16_t>(end - 1);
   client.link_.send(list);
 }
 

@@ -99,7 +99,7 @@ void PlanPort::progress(uint16_t wireItems) {
 
 void PlanPort::forgetFailed() {
   Client& client = static_cast<Client&>(*this);
-  client.rest_.field = ItemField::None;
+  client.session_.field = ItemField::None;
   client.state_.failedItem = Port::kNoItem;
 }
 
@@ -139,7 +139,7 @@ void PlanPort::uploadByItems(uint16_t nowMs) {
 void PlanPort::proveInAnyCase() {
   Client& client = static_cast<Client&>(*this);
   endComparing();
-  client.rest_.proof = static_cast<uint8_t>(Readback::Always);
+  client.session_.proof = static_cast<uint8_t>(Readback::Always);
   forgetFailed();
   keepTimeFree(false);
 }

@@ -42,7 +42,7 @@ uint16_t Port::seconds() const { return static_cast<const Client&>(*this).state_
 
 bool Port::hasTakenTooLong() const { return static_cast<const Client&>(*this).state_.isLate; }
 
-void Port::blame(ItemField field) { static_cast<Client&>(*this).rest_.field = field; }
+void Port::blame(ItemField field) { static_cast<Client&>(*this).session_.field = field; }
 
 bool Port::isAllowedWhileArmed() const { return static_cast<const Client&>(*this).state_.armedAllowed; }
 

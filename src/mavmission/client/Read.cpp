@@ -43,9 +43,9 @@ Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proo
   asm("" : "+r"(client));
   const Status status = client->startUpload(plan, type);
   if (isEnd(status)) return status;
-  client->rest_.proof = static_cast<uint8_t>(proof);
-  client->rest_.options.readBack = ReadingPlan::prove;
-  client->rest_.options.takeUp = Uploading::takeUp;
+  client->session_.proof = static_cast<uint8_t>(proof);
+  client->session_.options.readBack = ReadingPlan::prove;
+  client->session_.options.continueAfter = Uploading::continueAfter;
   return status;
 }
 
@@ -201,7 +201,7 @@ void Client::ReadingPlan::compareCount(Client& client, const FrameParser& frame,
   const uint32_t planId = frame.payloadLong(offsetof(mavlink_mission_count_t, opaque_id));
   client.reading_.planId = planId;
   // PX4's checksum of its plan proves an upload as well as the items do, where it is in doubt. (Elsewhere ours is 0.)
-  const bool isInDoubt = client.state_.proving && client.rest_.proof != static_cast<uint8_t>(Readback::Always);
+  const bool isInDoubt = client.state_.proving && client.session_.proof != static_cast<uint8_t>(Readback::Always);
   if (isInDoubt && planId != 0 && planId == client.opaqueId_.value()) return client.reading_.transfer.close();
   const Status status = client.compareCount(countIn(frame));
   if (status != Status::Transferring) end(client, status);
@@ -222,7 +222,7 @@ bool Client::hasRoom(uint16_t count) {
 
 Status Client::compareCount(uint16_t count) {
   if (isOurCount(count)) return Status::Transferring;
-  rest_.field = ItemField::Count;
+  session_.field = ItemField::Count;
   return Status::Differs;
 }
 
@@ -293,7 +293,7 @@ Status Client::ReadingPlan::compare(Client& client, uint16_t wireItem, MissionIt
     // A value that this autopilot cannot keep is reported as NotKept, not as a difference.
     if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
   }
-  client.rest_.field = field;
+  client.session_.field = field;
   return Status::Differs;
 }
 

@@ -107,8 +107,8 @@ Aircraft Client::Starting::aircraftOf(const Client& client, uint16_t nowMs) {
 
 // What outlives the operation.
 void Client::Starting::note(Client& client) {
-  client.rest_.startStep = static_cast<uint8_t>(client.commanding_.start.step());
-  client.rest_.startArming = static_cast<uint8_t>(client.commanding_.start.arming());
+  client.session_.startStep = static_cast<uint8_t>(client.commanding_.start.step());
+  client.session_.startArming = static_cast<uint8_t>(client.commanding_.start.arming());
 }
 
 // Gives start() the item of the plan that it looks at next.

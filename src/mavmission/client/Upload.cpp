@@ -13,7 +13,7 @@ Status Client::startUpload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   setPlan(plan, type);
-  rest_.options.readBack = nullptr;
+  session_.options.readBack = nullptr;
   return uploadKeptPlan();
 }
 
@@ -23,17 +23,17 @@ Status Client::refuseType() {
 }
 
 void Client::setPlan(const ItemSource& plan, PlanType type) {
-  if (rest_.planType != type || !plan_.isFrom(plan)) setOfPlan(false);
+  if (session_.planType != type || !plan_.isFrom(plan)) setOfPlan(false);
   plan_.setSource(plan);
-  rest_.planType = type;
+  session_.planType = type;
   state_.tooLong = plan.count > kMaxItems;
-  rest_.announcePart = nullptr;
+  session_.announcePart = nullptr;
 }
 
 Status Client::uploadKeptPlan() {
   if (state_.operation != nullptr) return Status::Busy;
   startOperation(Uploading::step);
-  state_.type = rest_.planType;
+  state_.type = session_.planType;
   state_.itemsTotal = plan_.count();
   if (state_.type == PlanType::All) return refuse(Status::SourceRefused);  // there is no plan yet
   if (state_.tooLong) return refuse(Status::TooManyItems);
@@ -73,12 +73,12 @@ void Client::Uploading::time(Client& client, uint16_t nowMs) {
   send(client, nowMs);
 }
 
-void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw); }
+void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, session_.raw); }
 
-// Accepted, or NotKept, with the field of the item that the autopilot would not keep in rest_.field.
+// Accepted, or NotKept, with the field of the item that the autopilot would not keep in session_.field.
 Status Client::keeping(const MissionItem& item) {
-  rest_.field = notKept(item, plan_.keeper());
-  return rest_.field == ItemField::None ? Status::Accepted : Status::NotKept;
+  session_.field = notKept(item, plan_.keeper());
+  return session_.field == ItemField::None ? Status::Accepted : Status::NotKept;
 }
 
 void PlanPort::beginChecking() {
@@ -111,7 +111,7 @@ Status PlanPort::checkNext() {
     checked = Status::TooManyItems;
   } else if (state.isLate) {
     checked = Status::TookTooLong;  // the source has no item, or the stream takes no more bytes
-  } else if (client.rest_.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
+  } else if (client.session_.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
     checked = Status::WholePlansOnly;
   } else if (!isTypeCarried()) {
     checked = Status::NeedsMavlink2;
@@ -220,7 +220,8 @@ void Client::Uploading::goOn(Client& client, Status status, uint16_t nowMs) {
   if (client.transfer_.itemsAskedFor() > notHeld) client.report(client.transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring) return;
 
-  if (client.rest_.options.takeUp != nullptr && client.rest_.options.takeUp(client, status, nowMs)) return;
+  if (client.session_.options.continueAfter != nullptr && client.session_.options.continueAfter(client, status, nowMs))
+    return;
   client.setAboard(aboardAfter(client, status));
   switch (status) {
     case Status::Accepted:
@@ -300,8 +301,8 @@ void Client::Uploading::send(Client& client, uint16_t nowMs) {
 void Client::Uploading::sendAnnouncement(Client& client) {
   if (client.transfer_.toSend() == UploadTransfer::Send::Cancel) {
     client.sendAck(MAV_MISSION_OPERATION_CANCELLED, client.state_.type);
-  } else if (client.rest_.announcePart != nullptr) {
-    client.rest_.announcePart(client);
+  } else if (client.session_.announcePart != nullptr) {
+    client.session_.announcePart(client);
   } else {
     client.sendShort(KeyIndex::MISSION_COUNT, client.plan_.wireCount(), client.state_.type);
   }
@@ -346,12 +347,12 @@ void Client::Uploading::prepare(Client& client, uint16_t wireItem, uint16_t nowM
     return client.opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
   }
   if (client.state_.floatItems) {
-    client.rest_.options.toFloats(&message);
+    client.session_.options.toFloats(&message);
     client.link_.prepareAs<mavlink_mission_item_t>(&message);
   } else {
     client.link_.prepareAs<mavlink_mission_item_int_t>(&message);
   }
-  client.rest_.prepared = wireItem;
+  client.session_.prepared = wireItem;
 }
 
 }  // namespace mavmission

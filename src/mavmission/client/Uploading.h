@@ -19,11 +19,11 @@ struct Client::Uploading {
   static void send(Client& client, uint16_t nowMs);
   static void sendAnnouncement(Client& client);
   MAVMISSION_APART MAVMISSION_ONE_EXIT static void prepare(Client& client, uint16_t wireItem, uint16_t nowMs);
-  static bool takeUp(Client& client, Status status, uint16_t nowMs);
+  static bool continueAfter(Client& client, Status status, uint16_t nowMs);
   static bool fallBackToFloats(Client& client, Status status, uint16_t nowMs);
   // True if the back-off that the sketch may have chosen has begun.
   static bool backsOff(Client& client, Status status, uint16_t) {
-    const Options& options = client.rest_.options;
+    const Options& options = client.session_.options;
     return options.backOff != nullptr && !client.transfer_.hasBegun() && options.backOff(client, status);
   }
   static void announcePart(Client& client);

@@ -27,9 +27,9 @@ Status MissionClient::verifyAndStart(const ItemSource& plan, uint16_t item) {
   startItem_ = item;
   modeFlagsBefore_ = link_.finder().heartbeat().baseMode;
   reading_.take = VerifiedStart::compareFirst;
-  rest_.tellEnd = VerifiedStart::start;
-  rest_.startStep = 0;
-  rest_.startArming = 0;
+  session_.tellEnd = VerifiedStart::start;
+  session_.startStep = 0;
+  session_.startArming = 0;
   state_.next = hasAutopilot() ? shownMode() : kNoMode;
   return status;
 }
@@ -54,8 +54,8 @@ Status Client::VerifiedStart::compareFirst(Client& client, uint16_t wireItem, Mi
 
 // Takes the end of a look: the sketch is not told about it, unless it is the end of the operation.
 void Client::VerifiedStart::takeLook(Client& client) {
-  client.rest_.tellEnd = client.rest_.ended != nullptr ? tellEnd : nullptr;
-  client.rest_.toReturn = Status::Idle;
+  client.session_.tellEnd = client.session_.ended != nullptr ? tellEnd : nullptr;
+  client.session_.toReturn = Status::Idle;
 }
 
 void Client::VerifiedStart::start(Client& client, Status status) {
@@ -79,7 +79,7 @@ Status Client::VerifiedStart::on(Client& client, CommandEvent event, Status stat
   client.reading_.take = ReadingPlan::compare;
   client.state_.isCompared = true;
   client.state_.itemsTotal = client.plan_.count();
-  client.rest_.tellEnd = end;
+  client.session_.tellEnd = end;
   return Status::Transferring;
 }
 

@@ -30,7 +30,7 @@ const char kCommands[] PROGMEM = MAVMISSION_COMMANDS(MAVMISSION_TEXT);
 
 FlashText flash(const char* text) { return reinterpret_cast<FlashText>(text); }
 
-const char* behind(const char* text) {
+const char* nextText(const char* text) {
   while (pgm_read_byte(text++) != 0) {
   }
   return text;
@@ -73,7 +73,7 @@ void PlanConsole::runCommand() {
   if (length_ < sizeof(command_)) {
     command_[length_] = '\0';
     const char* name = kCommands;
-    for (command = 0; command < static_cast<uint8_t>(Command::unknown); ++command, name = behind(behind(name))) {
+    for (command = 0; command < static_cast<uint8_t>(Command::unknown); ++command, name = nextText(nextText(name))) {
       if (isEqual(name, command_)) break;
     }
   }
@@ -202,12 +202,12 @@ bool PlanConsole::composeHelp() {
   while (!isOffered(static_cast<Command>(step_ / 2))) step_ += 2;
   if (step_ / 2 == static_cast<uint8_t>(Command::unknown)) return false;
   const char* name = kCommands;
-  for (uint8_t skipped = step_ / 2; skipped != 0; --skipped) name = behind(behind(name));
+  for (uint8_t skipped = step_ / 2; skipped != 0; --skipped) name = nextText(nextText(name));
   if (step_ % 2 == 0) {
     put(flash(name));
     memcpy_P(piece_, PSTR(": "), 3);
   } else {
-    put(flash(behind(name)));
+    put(flash(nextText(name)));
     memcpy_P(piece_, PSTR("\r\n"), 3);
   }
   ram_ = piece_;

@@ -40,7 +40,7 @@ PlanFiles::PlanFiles(MissionClient& client)
       isLengthKnown_(false),
       isStorable_(true),
       isDamaged_(false),
-      isSpoiling_(false) {}
+      isWithdrawing_(false) {}
 
 PlanPort& PlanFiles::plans() const { return client_.plans(); }
 
@@ -78,7 +78,7 @@ void PlanFiles::beginFile() {
   takeNumbers();
   firstSequence_ = ++sequence_;  // unused: the answer to the last request of the operation before would have it
   isByFile_ = true;
-  isSpoiling_ = false;
+  isWithdrawing_ = false;
 }
 
 // Sends a request. ArduPilot answers one that has the number of the last one from memory.
@@ -145,7 +145,7 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
       self.isStorable_ = false;
       break;
     case MAV_FTP_OPCODE_WRITEFILE:
-      if (!self.isSpoiling_ || !isLast) break;
+      if (!self.isWithdrawing_ || !isLast) break;
       self.isStorable_ = false;  // a refusal too: it is open for reading by now
       self.closings_ = kUntilClosed;
       break;
@@ -161,7 +161,8 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
 }
 
 // A plan that is complete in its file would be stored now, behind the end of its upload, and perhaps over another plan
-// that has been uploaded meanwhile. So its header is spoilt first; when that is answered, the next heartbeat closes it.
+// that has been uploaded meanwhile. So its header is withdrawn first; when that is answered, the next heartbeat closes
+// it.
 void PlanFiles::closeLeftOpen() {
   takeNumbers();
   if (closings_ != kUntilClosed) --closings_;
@@ -171,7 +172,7 @@ void PlanFiles::closeLeftOpen() {
     if (operation_ != nullptr) closings_ = FileRules::kUnsureClosings;
   }
   memset(static_cast<FileFrame*>(client_.link().draft())->data, 0, kFileHeader);
-  isSpoiling_ = true;
+  isWithdrawing_ = true;
   send(++sequence_, MAV_FTP_OPCODE_WRITEFILE, kFileHeader);
 }
 

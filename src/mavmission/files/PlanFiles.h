@@ -157,7 +157,7 @@ class PlanFiles : public detail::Listener {
   bool isLengthKnown_ : 1;  // the plan aboard is not longer than ours
   bool isStorable_ : 1;     // the file that may be open has its header: closing it stores it
   bool isDamaged_ : 1;      // what was read back is another plan: it is uploaded item by item
-  bool isSpoiling_ : 1;     // the last request is to take that header away
+  bool isWithdrawing_ : 1;  // the last request is to take that header away
 };
 
 }  // namespace mavmission

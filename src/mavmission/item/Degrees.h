@@ -79,10 +79,10 @@ struct Decimals<> {
 };
 template <char First, char... Rest>
 struct Decimals<First, Rest...> {
-  static constexpr int count(bool behindPoint, int seen, int significant) {
+  static constexpr int count(bool afterPoint, int seen, int significant) {
     return First == '.'    ? Decimals<Rest...>::count(true, 0, 0)
-           : First == '\'' ? Decimals<Rest...>::count(behindPoint, seen, significant)
-           : behindPoint   ? Decimals<Rest...>::count(true, seen + 1, First == '0' ? significant : seen + 1)
+           : First == '\'' ? Decimals<Rest...>::count(afterPoint, seen, significant)
+           : afterPoint    ? Decimals<Rest...>::count(true, seen + 1, First == '0' ? significant : seen + 1)
                            : Decimals<Rest...>::count(false, 0, 0);
   }
 };
@@ -125,13 +125,13 @@ struct Value<> {
 };
 template <char First, char... Rest>
 struct Value<First, Rest...> {
-  static constexpr int64_t e7(int64_t value, bool behindPoint, int decimals) {
-    return First == '.'                   ? Value<Rest...>::e7(value, true, 0)
-           : !isDigit(First)              ? Value<Rest...>::e7(value, behindPoint, decimals)
-           : behindPoint && decimals >= 7 ? Value<Rest...>::e7(value, true, decimals)
+  static constexpr int64_t e7(int64_t value, bool afterPoint, int decimals) {
+    return First == '.'                  ? Value<Rest...>::e7(value, true, 0)
+           : !isDigit(First)             ? Value<Rest...>::e7(value, afterPoint, decimals)
+           : afterPoint && decimals >= 7 ? Value<Rest...>::e7(value, true, decimals)
            : value > 9999999999
-               ? Value<Rest...>::e7(value, behindPoint, decimals)
-               : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
+               ? Value<Rest...>::e7(value, afterPoint, decimals)
+               : Value<Rest...>::e7(value * 10 + (First - '0'), afterPoint, decimals + (afterPoint ? 1 : 0));
   }
 };
 

@@ -109,9 +109,9 @@ class Link : public LinkRules {
 
   // Sends a message of the sketch's own; false if that cannot be done now.
   bool sendForeign(const OutgoingMessage& message);
-  // Spoils that message, if it is still going out: what it says is no longer true.
-  void spoilForeign(const void* payload) { outbox_.spoilForeign(payload); }
-  void spoil() { outbox_.spoil(); }
+  // Withdraws that message, if it is still going out: what it says is no longer true.
+  void withdrawForeign(const void* payload) { outbox_.withdrawForeign(payload); }
+  void withdraw() { outbox_.withdraw(); }
   // What is being sent is for an autopilot that is not ours any more: the rest of it does not leave.
   void cut() { outbox_.cut(); }
   bool isSent() const { return outbox_.isEmpty(); }

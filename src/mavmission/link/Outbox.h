@@ -45,7 +45,7 @@ class Outbox {
   void completeForeign(const OutgoingMessage& message);
 
   // Makes the frame with this payload, if it is still going out, one that nobody accepts.
-  void spoilForeign(const void* payload) {
+  void withdrawForeign(const void* payload) {
     if (isEmpty() || writeForeign_ != writeForeign || foreign_.body != payload) return;
     uint8_t* const crc = foreign_.around + foreign_.headLength;
     crc[0] ^= 0xFF;
@@ -58,7 +58,7 @@ class Outbox {
   static constexpr uint8_t kNotNow = 0, kBroken = 255;
 
   // The same for a frame of ours: its last byte leaves last.
-  void spoil() {
+  void withdraw() {
     if (!isEmpty() && writeForeign_ == nullptr) frame_[length_ - 1] ^= 0xFF;
   }
 

@@ -61,7 +61,7 @@ MovingTarget::MovingTarget(Steering& steering, Other other)
       isOrdered_(false),
       isAimed_(false),
       isHere_(false),
-      isSpoilt_(true) {
+      isWithdrawn_(true) {
   static_assert(
       sizeof(payload_) == sizeof(Message) && sizeof(Message) == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_LEN,
       "the struct of a message must have the layout of its payload on the wire");
@@ -165,7 +165,7 @@ void MovingTarget::look(uint32_t nowMs) {
   if (!isBlind_ && (!isCurrent || quietMs >= kBlindMs)) {
     isBlind_ = true;
     blindMs_ = shortMs;
-    if (!isCurrent) spoil();
+    if (!isCurrent) withdraw();
   }
   if (stage_ != Stage::Off && (isBlind_ || quietMs >= kQuietMs)) ask(shortMs);
 }
@@ -328,7 +328,7 @@ void MovingTarget::keepHolding(uint16_t nowMs) {
 // From now on the target is where the aircraft is, as soon as that is known.
 void MovingTarget::aimHere() {
   if (isHere_ && isAimed_) return;
-  if (!isHere_) spoil();
+  if (!isHere_) withdraw();
   isHere_ = true;
   if (other_ != nullptr) return;  // it stands still without a place
   const bool isAboveSea = has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
@@ -339,13 +339,13 @@ void MovingTarget::aimHere() {
 }
 
 // What is still going out is no longer true. (Twice would make it right again.)
-void MovingTarget::spoil() {
-  if (!isSpoilt_) client_.link().spoilForeign(payload_);
-  isSpoilt_ = true;
+void MovingTarget::withdraw() {
+  if (!isWithdrawn_) client_.link().withdrawForeign(payload_);
+  isWithdrawn_ = true;
 }
 
 void MovingTarget::finish(Status status) {
-  spoil();
+  withdraw();
   if (steering_.stream_ == this) steering_.stream_ = nullptr;
   stage_ = Stage::Off;
   status_ = toReturn_ = status;
@@ -385,7 +385,7 @@ void MovingTarget::send(uint16_t nowMs) {
   // A second of targets has no gap in it.
   if (!hasSent_ || since(sentMs_, nowMs) >= kBlindMs) beganMs_ = nowMs;
   hasSent_ = true;
-  isSpoilt_ = false;
+  isWithdrawn_ = false;
   sentMs_ = nowMs;
 }
 

@@ -101,7 +101,7 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   void hold(Status ending);
   void keepHolding(uint16_t nowMs);
   void aimHere();
-  void spoil();
+  void withdraw();
   void send(uint16_t nowMs);
   void finish(Status status);
 
@@ -121,14 +121,14 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   Status toReturn_;
   Status ending_;  // with which a hold ends
   Stage stage_;
-  bool isBlind_ : 1;     // loop() has stood still, or the autopilot was silent, and no heartbeat has come since then
-  bool isStopped_ : 1;   // by stop()
-  bool hasSent_ : 1;     // a target has left since start()
-  bool isOrdered_ : 1;   // the hold is an operation of the client, and has not ended
-  bool isAimed_ : 1;     // there is something to send
-  bool isHere_ : 1;      // the target is no longer the sketch's, but where the aircraft is
-  bool isSpoilt_ : 1;    // the last message need not be spoilt
-  uint8_t payload_[53];  // of the message that is sent
+  bool isBlind_ : 1;      // loop() has stood still, or the autopilot was silent, and no heartbeat has come since then
+  bool isStopped_ : 1;    // by stop()
+  bool hasSent_ : 1;      // a target has left since start()
+  bool isOrdered_ : 1;    // the hold is an operation of the client, and has not ended
+  bool isAimed_ : 1;      // there is something to send
+  bool isHere_ : 1;       // the target is no longer the sketch's, but where the aircraft is
+  bool isWithdrawn_ : 1;  // the last message need not be withdrawn
+  uint8_t payload_[53];   // of the message that is sent
 };
 
 }  // namespace mavmission

@@ -8,7 +8,7 @@ namespace mavmission {
 namespace detail {
 
 // The mode in which an order is carried out. Steering::wantedMode() has this autopilot's number.
-enum class OrderMode : uint8_t {
+enum class TargetMode : uint8_t {
   None,        // no order: it is refused with Status::NoSuchMode
   AsShown,     // whatever mode the heartbeat shows: nothing sets another
   TakingOff,   // GUIDED, or PX4's mode of a takeoff
@@ -38,10 +38,10 @@ enum OrderTrait : uint8_t {
 };
 
 struct OrderRow {
-  OrderMode mode;
+  TargetMode mode;
   uint8_t bits;
 
-  constexpr OrderRow(OrderMode mode = OrderMode::None, OrderCommand command = OrderCommand::None, uint8_t traits = 0)
+  constexpr OrderRow(TargetMode mode = TargetMode::None, OrderCommand command = OrderCommand::None, uint8_t traits = 0)
       : mode(mode), bits(static_cast<uint8_t>(static_cast<uint8_t>(command) | traits)) {}
 
   constexpr OrderCommand command() const { return static_cast<OrderCommand>(bits & 7); }
@@ -51,22 +51,22 @@ enum class Order : uint8_t { TakeOff, GoTo, Pause, Resume, ReturnHome, Land, Spe
 
 // In the order of Order.
 constexpr OrderRow kOrders[] = {
-    {OrderMode::TakingOff, OrderCommand::TakeOff, kTakesHeight | kFromGround},
-    {OrderMode::FlyingTo, OrderCommand::Reposition, kTakesHeight | kTakesPlace},
-    {OrderMode::FlyingTo, OrderCommand::Reposition, kStopsHere},
-    {OrderMode::Mission, OrderCommand::None},
-    {OrderMode::Returning, OrderCommand::None},
-    {OrderMode::LandingHere, OrderCommand::None},
-    {OrderMode::AsShown, OrderCommand::ChangeSpeed, kAdjusts},
-    {OrderMode::FlyingTo, OrderCommand::Reposition},  // a MovingTarget: in its place a mode is set, or targets leave
-    {OrderMode::AsShown, OrderCommand::Other, kAdjusts},
+    {TargetMode::TakingOff, OrderCommand::TakeOff, kTakesHeight | kFromGround},
+    {TargetMode::FlyingTo, OrderCommand::Reposition, kTakesHeight | kTakesPlace},
+    {TargetMode::FlyingTo, OrderCommand::Reposition, kStopsHere},
+    {TargetMode::Mission, OrderCommand::None},
+    {TargetMode::Returning, OrderCommand::None},
+    {TargetMode::LandingHere, OrderCommand::None},
+    {TargetMode::AsShown, OrderCommand::ChangeSpeed, kAdjusts},
+    {TargetMode::FlyingTo, OrderCommand::Reposition},  // a MovingTarget: in its place a mode is set, or targets leave
+    {TargetMode::AsShown, OrderCommand::Other, kAdjusts},
 };
 static_assert(sizeof(kOrders) / sizeof(kOrders[0]) == static_cast<uint8_t>(Order::Adjust) + 1,
               "each order has a row; Order's last name stands here");
 
 // A row that sets no mode and sends no command would be an order that does nothing.
 constexpr bool isWhole(OrderRow row) {
-  return row.mode != OrderMode::None && (row.mode != OrderMode::AsShown || row.command() != OrderCommand::None);
+  return row.mode != TargetMode::None && (row.mode != TargetMode::AsShown || row.command() != OrderCommand::None);
 }
 constexpr bool areWhole(uint8_t count) {
   return count == 0 || (isWhole(kOrders[count - 1]) && areWhole(static_cast<uint8_t>(count - 1)));

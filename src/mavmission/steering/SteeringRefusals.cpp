@@ -185,15 +185,15 @@ Status Steering::refuse() {
 uint16_t Steering::wantedMode() const {
   const bool isInHold = has(client_.autopilot().firmware(), kFliesToPlacesInHold);
   switch (row_.mode) {
-    case OrderMode::None: break;
-    case OrderMode::AsShown: return shownMode();
-    case OrderMode::TakingOff:
+    case TargetMode::None: break;
+    case TargetMode::AsShown: return shownMode();
+    case TargetMode::TakingOff:
       if (has(client_.autopilot().firmware(), kTakesOffInOwnMode)) return kPx4TakeOff;
       return client_.commands().numberOf(FlightMode::Guided);
-    case OrderMode::FlyingTo: return client_.commands().numberOf(isInHold ? FlightMode::Hold : FlightMode::Guided);
-    case OrderMode::Mission: return client_.commands().numberOf(FlightMode::Auto);
-    case OrderMode::Returning: return client_.commands().numberOf(FlightMode::ReturnToLaunch);
-    case OrderMode::LandingHere:
+    case TargetMode::FlyingTo: return client_.commands().numberOf(isInHold ? FlightMode::Hold : FlightMode::Guided);
+    case TargetMode::Mission: return client_.commands().numberOf(FlightMode::Auto);
+    case TargetMode::Returning: return client_.commands().numberOf(FlightMode::ReturnToLaunch);
+    case TargetMode::LandingHere:
       // A plane that has said that it can hover may call itself a plane all the same.
       return isPlane() && canHover_ ? kQLand : client_.commands().numberOf(FlightMode::Land);
   }

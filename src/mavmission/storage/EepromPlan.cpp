@@ -236,7 +236,7 @@ EepromPlan::State EepromPlan::update() {
 }
 
 // A mark that cannot be written any more: where it was to make a bank invalid, the bank may be so all the same. If it
-// is still whole, a byte of its checksum is spoilt instead, which is the next thing to write.
+// is still whole, a byte of its checksum is made wrong instead, which is the next thing to write.
 bool EepromPlan::isInvalidAllTheSame() {
   const bool isMark = step_ == Step::Open || step_ >= Step::DropOld;
   if (!isMark) return false;

@@ -10,7 +10,7 @@ void DownloadTransfer::begin(uint16_t nowMs, uint8_t anew) {
   left_ = 0;
   next_ = 0;
   state_ = State::Listing;
-  asked_ = 0;
+  pending_ = 0;
   tries_ = 0;
   anew_ = anew;
 }
@@ -28,7 +28,7 @@ bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
   left_ = count - next_;
   tries_ = 0;
   state_ = State::Fetching;
-  asked_ = 0;
+  pending_ = 0;
   if (count == 0) close();
   return true;
 }
@@ -44,19 +44,19 @@ void DownloadTransfer::onItem(uint16_t nowMs, Pace& pace) {
   if (tries_ != 0) pace.learn(startedMs_, nowMs, tries_);
   ++next_;
   tries_ = 0;
-  asked_ = 0;
+  pending_ = 0;
   if (--left_ == 0) close();
 }
 
 void DownloadTransfer::stayAhead(uint8_t others, uint16_t nowMs) {
   if (others == 0) return;
-  asked_ = others;
+  pending_ = others;
   sentMs_ = nowMs;
 }
 
 void DownloadTransfer::askAgain() {
   tries_ = 0;
-  asked_ = 0;
+  pending_ = 0;
 }
 
 Status DownloadTransfer::onAck(uint8_t result) const {
@@ -71,7 +71,7 @@ Status DownloadTransfer::onAck(uint8_t result) const {
 }
 
 Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool answersAny, bool mayBeAhead) {
-  if (asked_ == 0) return Status::Transferring;  // the line is not free yet
+  if (pending_ == 0) return Status::Transferring;  // the line is not free yet
   uint8_t most = kItemTries;
   uint16_t waitMs = kItemMs;
   Status end = Status::TimedOut;
@@ -82,10 +82,11 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool answersAn
   }
   const uint16_t ms = since(sentMs_, nowMs);
   // Several are asked for anew when none of the answers is under way any more.
-  if (ms < pace.waitMs(waitMs, answersAny && tries_ < kHastyTries) || (mayBeAhead && asked_ > 1 && !pace.isBehind(ms)))
+  if (ms < pace.waitMs(waitMs, answersAny && tries_ < kHastyTries) ||
+      (mayBeAhead && pending_ > 1 && !pace.isBehind(ms)))
     return Status::Transferring;
   if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most)) return end;
-  asked_ = 0;
+  pending_ = 0;
   if (mayBeAhead && tries_ == 0) {
     tries_ = 1;
     startedMs_ = sentMs_;
@@ -96,11 +97,11 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool answersAn
 bool DownloadTransfer::mustWait(uint16_t nowMs) const { return anew_ != 0 && since(sentMs_, nowMs) < kCopyMs; }
 
 bool DownloadTransfer::sent(uint16_t nowMs, bool asksAhead) {
-  if (!asksAhead || asked_ == 0) {
+  if (!asksAhead || pending_ == 0) {
     if (tries_ == 0) startedMs_ = nowMs;
     ++tries_;
   }
-  ++asked_;
+  ++pending_;
   sentMs_ = nowMs;
   return state_ == State::Closing;
 }

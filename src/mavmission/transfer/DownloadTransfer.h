@@ -43,12 +43,12 @@ class DownloadTransfer : public DownloadRules {
   bool expectsItem(uint16_t item, uint16_t nowMs, Pace& pace) const;
   void onItem(uint16_t nowMs, Pace& pace);
   // Where several may be asked for at once: stayAhead() says after onItem() how many others had been asked for before.
-  uint8_t othersAsked() const { return asked_ == 0 ? 0 : static_cast<uint8_t>(asked_ - 1); }
+  uint8_t othersAsked() const { return pending_ == 0 ? 0 : static_cast<uint8_t>(pending_ - 1); }
   void stayAhead(uint8_t others, uint16_t nowMs);
   // No item is needed: the reading is closed.
   void close() {
     state_ = State::Closing;
-    asked_ = 0;
+    pending_ = 0;
   }
   // Requests the item that has just come again at once, because it could not be used yet.
   void askAgain();
@@ -65,17 +65,17 @@ class DownloadTransfer : public DownloadRules {
   // been handed to the link; sent() is true if that was the last message of the download. `asksAhead`: several items
   // may be asked for at once now.
   Send toSend(bool asksAhead = false) const {
-    if (asked_ != 0 && !(asksAhead && asked_ < kUnderWay && asked_ < left_)) return Send::Nothing;
+    if (pending_ != 0 && !(asksAhead && pending_ < kUnderWay && pending_ < left_)) return Send::Nothing;
     return static_cast<Send>(static_cast<uint8_t>(state_) + 1);
   }
-  uint16_t itemToAsk() const { return next_ + asked_; }
+  uint16_t itemToAsk() const { return next_ + pending_; }
   uint16_t itemsTaken() const { return next_; }
   bool sent(uint16_t nowMs, bool asksAhead = true);
 
   State state() const { return state_; }
   // True if the download is in this state and its request has been sent. An answer that comes before the request has
   // been sent belongs to something earlier.
-  bool expectsAnswer(State state) const { return state_ == state && (tries_ | asked_) != 0; }
+  bool expectsAnswer(State state) const { return state_ == state && (tries_ | pending_) != 0; }
   uint8_t tries() const { return tries_; }
 
  private:
@@ -84,9 +84,9 @@ class DownloadTransfer : public DownloadRules {
   uint16_t left_;       // items that have not come
   uint16_t next_;       // the first of them
   State state_;
-  uint8_t asked_;  // messages of this state under way: of requests for items, from next_ on; 0: one is to be sent
-  uint8_t tries_;  // attempts at the request that is open now; 0 also while it is one of several
-  uint8_t anew_;   // how often the reading has begun anew
+  uint8_t pending_;  // messages of this state under way: of requests for items, from next_ on; 0: one is to be sent
+  uint8_t tries_;    // attempts at the request that is open now; 0 also while it is one of several
+  uint8_t anew_;     // how often the reading has begun anew
 };
 
 }  // namespace detail

@@ -17,7 +17,7 @@ void FileReadTransfer::begin(bool takesAnyOrder) {
 
 void FileReadTransfer::ask(Send what) {
   send_ = what;
-  asked_ = what;
+  request_ = what;
   tries_ = 0;
 }
 
@@ -72,7 +72,7 @@ void FileReadTransfer::fill(uint8_t index, uint16_t item) {
 }
 
 void FileReadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
-  const bool isAskedFor = asked_ == Send::Item && item == itemToAsk();
+  const bool isAskedFor = request_ == Send::Item && item == itemToAsk();
   if (isAskedFor && tries_ != 0) learn(nowMs, pace);
   sentMs_ = nowMs;  // the answer to what was asked for comes behind the rest of a burst
   ++taken_;
@@ -85,7 +85,7 @@ void FileReadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
     fill(hole, item);
   }
   if (isAskedFor || taken_ == count_) return askNext();
-  if (asked_ != Send::Burst) return;
+  if (request_ != Send::Burst) return;
   ++burstGot_;
   tries_ = 1;
 }
@@ -101,7 +101,7 @@ void FileReadTransfer::judgeBurst() {
 }
 
 void FileReadTransfer::onBurstEnd() {
-  if (state_ != State::Reading || asked_ != Send::Burst || tries_ == 0) return;
+  if (state_ != State::Reading || request_ != Send::Burst || tries_ == 0) return;
   judgeBurst();
   askNext();
 }
@@ -121,15 +121,15 @@ Status FileReadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   uint16_t waitMs = pace.waitMs(isOpening ? kOpenMs : kPieceMs);
   // The autopilot sends a whole burst for each repeat, so none leaves before the first piece is late.
   const uint16_t pieceMs = pace.roundTripMs() + pace.roundTripMs() / 2;
-  if (asked_ == Send::Burst && waitMs < pieceMs) waitMs = pieceMs;
+  if (request_ == Send::Burst && waitMs < pieceMs) waitMs = pieceMs;
   if (since(sentMs_, nowMs) < waitMs) return Status::Transferring;
   if (state_ == State::Closing) return result_;
   const uint8_t most =
       isOpening ? (pace.isLossy() ? kLossyOpenTries : kOpenTries) : (pace.isLossy() ? kLossyTries : kPieceTries);
   if (tries_ >= most) return isOpening ? Status::NoAnswer : Status::TimedOut;
-  send_ = asked_;
+  send_ = request_;
   // What is left of a burst that has fallen silent is asked for like what has never come.
-  if (asked_ == Send::Burst && burstGot_ != 0) {
+  if (request_ == Send::Burst && burstGot_ != 0) {
     judgeBurst();
     askNext();
   }

@@ -80,7 +80,7 @@ class FileReadTransfer : public FileRules {
   bool isBurstWorthIt_;
   State state_;
   Send send_;
-  Send asked_;
+  Send request_;
   Status result_;
 };
 

@@ -276,7 +276,7 @@ TEST_CASE("the answer to a request for a heartbeat is not that of the sketch's o
         "LONG 512 148 | | -> Done (NotKnown)");
 }
 
-TEST_CASE("the rest of an order that loop() has kept back for too long is spoiled, so that nobody obeys it") {
+TEST_CASE("the rest of an order that loop() has kept back for too long is withdrawn, so that nobody obeys it") {
   for (const uint32_t stillMs : {10, 300}) {
     Ordering desk(kPx4);
     desk.quiet().sets(kPx4Hold).plays("10 ms");

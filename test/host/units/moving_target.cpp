@@ -116,7 +116,7 @@ struct Follower : Aircraft {
     return text;
   }
 
-  // The targets that have left. One that was spoilt while it left is none.
+  // The targets that have left. One that was withdrawn while it left is none.
   std::vector<Message> messages() const {
     std::vector<Message> found;
     for (const SentFrame& frame : sent) {
@@ -541,7 +541,7 @@ TEST_CASE("an autopilot that is silent gets its last target before 0.6 s, is ask
   CHECK(mission.wait(2000).asks == 0);
 }
 
-TEST_CASE("a target that is half sent when it is no longer true is spoilt, and stays so") {
+TEST_CASE("a target that is half sent when it is no longer true is withdrawn, and stays so") {
   enum What { StandStill, OtherMode, Stop, StopAndOtherMode };
   for (What what : {StandStill, OtherMode, Stop, StopAndOtherMode}) {
     CAPTURE(int{what});

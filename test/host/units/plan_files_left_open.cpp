@@ -21,7 +21,8 @@ struct Pilot : FilePilot {
 
 }  // namespace
 
-TEST_CASE("what was left open is closed though the autopilot is armed by now, and a complete plan is spoilt before") {
+TEST_CASE(
+    "what was left open is closed though the autopilot is armed by now, and a complete plan is withdrawn before") {
   // It may be open by an opening that was not answered.
   CHECK(Pilot().answering(kOpen, kSilent).verify(kFourItems).until("open").cancel().armed(false).says(3000) == "close");
   Pilot pilot;
@@ -46,7 +47,7 @@ TEST_CASE("an answer to another session, or to another component, closes nothing
   CHECK(pilot.says(3000) == "");
 }
 
-TEST_CASE("a file without a header that could be spoilt is only closed") {
+TEST_CASE("a file without a header that could be withdrawn is only closed") {
   // No file was open after a reset.
   for (int error : {int{FilePilot::kInvalidSession}, int{FilePilot::kFileNotFound}}) {
     Pilot pilot(false);
@@ -68,12 +69,12 @@ TEST_CASE("a file without a header that could be spoilt is only closed") {
   CHECK(refused.says(3000) == "close");
 }
 
-TEST_CASE("what is closed after a reset has the session's own number, is spoilt once, and closed until answered") {
+TEST_CASE("what is closed after a reset has the session's own number, is withdrawn once, and closed until answered") {
   Pilot pilot(false);
   pilot.answering(kClose, kSilent).until("write 0+10");
   CHECK(pilot.session == static_cast<uint8_t>((1 * 31) ^ 191 ^ 0x5A));
   CHECK(pilot.says(10000) == "close, close, close, close, close, close, close, close, close, close");
-  // Nobody answers: what an operation may have opened meanwhile is closed without being spoilt.
+  // Nobody answers: what an operation may have opened meanwhile is closed without being withdrawn.
   Pilot silent(false);
   silent.answering(kWrite, kSilent).answering(kClose, kSilent).answering(kOpen, kSilent).until("write 0+10");
   CHECK(silent.verify(kFourItems).until("open").cancel().says(20000) ==
@@ -106,7 +107,7 @@ TEST_CASE("a file that was left open is not closed while ensure() checks its pla
   CHECK((pilot.client.status() == Status::Checking));
 }
 
-TEST_CASE("a file that a late copy of its opening has opened again may hold the plan: it is spoilt, and closed") {
+TEST_CASE("a file that a late copy of its opening has opened again may hold the plan: it is withdrawn, and closed") {
   Pilot pilot;
   pilot.upload(kFourItems).until("create");
   const uint16_t opening = pilot.sequence;

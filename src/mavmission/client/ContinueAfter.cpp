@@ -7,9 +7,9 @@ namespace mavmission {
 using namespace detail;
 
 // True if the operation continues.
-bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
-  const Rest& rest = client.rest_;
-  if (rest.options.goOn != nullptr && rest.options.goOn(client, status, nowMs)) return true;
+bool Client::Uploading::continueAfter(Client& client, Status status, uint16_t nowMs) {
+  const Session& session = client.session_;
+  if (session.options.goOn != nullptr && session.options.goOn(client, status, nowMs)) return true;
   const UploadTransfer& transfer = client.transfer_;
   // A server whose ways are not known has given the upload up. On a lossy link that may be the cause, and what it
   // held is gone: so the upload begins anew, within the time for the whole operation.
@@ -30,12 +30,12 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   bool isProofDue = isInDoubt;
   if (status == Status::Accepted) {
     isInDoubt = client.link_.pace().isLossy() && !transfer.isProven();
-    isProofDue = isInDoubt || rest.proof == static_cast<uint8_t>(Readback::Always);
+    isProofDue = isInDoubt || session.proof == static_cast<uint8_t>(Readback::Always);
   }
-  if (!isProofDue || rest.options.readBack == nullptr) return false;
+  if (!isProofDue || session.options.readBack == nullptr) return false;
   if (isInDoubt) client.unsettle();
   client.state_.mayBeRefused = isDoubtfulError;
-  rest.options.readBack(client, nowMs);
+  session.options.readBack(client, nowMs);
   return true;
 }
 
