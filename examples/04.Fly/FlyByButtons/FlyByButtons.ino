@@ -38,7 +38,7 @@ void loop() {
   if (millis() - renewedMs >= 100) {
     renewedMs = millis();
     const bool isFlown = velocity.renew(wanted()) == Status::Transferring;
-    // In the air it begins to fly so, and again behind a cut cable.
+    // In the air it begins to fly so, and again after a cut cable.
     if (!isFlown && flight.state() == FlightState::AtStop) velocity.start(wanted());
   }
   // The button lands what flies. A person asks for the aircraft by it, in the air, too.

@@ -1,6 +1,6 @@
 // The gate for whatever takes an aircraft, arms it, or lets its motors start: which commands pass it.
 //
-// Such a command leaves the client right behind a heartbeat that came after loop() last stood still, and that shows no
+// Such a command leaves the client right after a heartbeat that came after loop() last stood still, and that shows no
 // reason against it; so does each of its repeats. Client::Command::send() is the gate: there is no other way out for a
 // COMMAND_LONG or COMMAND_INT of an operation.
 #pragma once

@@ -8,7 +8,7 @@ using namespace detail;
 namespace {
 
 // The modes of each vehicle of ArduPilot, by their numbers (the Mode::Number of its mode.h); "-": a number without one.
-// Each name begins behind the zero of the one before.
+// Each name begins after the zero of the one before.
 const char kPlane[] PROGMEM =
     "MANUAL\0CIRCLE\0STABILIZE\0TRAINING\0ACRO\0FBWA\0FBWB\0CRUISE\0AUTOTUNE\0-\0AUTO\0RTL\0LOITER\0TAKEOFF\0"
     "AVOID_ADSB\0GUIDED\0INITIALISING\0QSTABILIZE\0QHOVER\0QLOITER\0QLAND\0QRTL\0QAUTOTUNE\0QACRO\0THERMAL\0"

@@ -119,7 +119,7 @@ constexpr bool isGenericKnown() { return kGenericFirmware != Firmware::Other; }
 constexpr Keeper kOwn = isGenericKnown() ? kByOwnTable : 0;
 
 // The autopilot that the library is compiled for, where it is for one alone; else Unknown. With one alone the answers
-// of has(), isByArduPilot() and isByPx4() are constants, and what is behind the others is not linked.
+// of has(), isByArduPilot() and isByPx4() are constants, and what the others guard is not linked.
 constexpr Firmware kOnly = MAVMISSION_ONLY_ARDUPILOT ? Firmware::ArduPilot
                            : MAVMISSION_ONLY_PX4     ? Firmware::Px4
                                                      : Firmware::Unknown;

@@ -14,7 +14,7 @@ MAVMISSION_APART FlashText textAt(const char* texts, uint8_t index);
 }  // namespace mavmission
 
 // Defines NAME::kTexts, the table of a list such as MAVMISSION_STATUSES, whose rows are X(enumerator, "text"). The
-// texts lie one behind the other, each with its end, and an empty one behind the last: a table of their addresses would
+// texts lie one after the other, each with its end, and an empty one after the last: a table of their addresses would
 // take two bytes more for each.
 #define MAVMISSION_TEXT_TABLE(NAME, LIST)                 \
   namespace NAME {                                        \

@@ -70,7 +70,7 @@ int32_t wholeNumber(const void* number) {
   if ((bits & ~kSign) != 0) {
     const uint8_t biased = biasedExponent(bits);
     if ((bits & kSign) != 0 || biased < kBias || biased > kBias + 15 || static_cast<uint8_t>(bits) != 0) return -1;
-    mantissa = static_cast<uint16_t>(bits >> 8) | 0x8000;  // of its 24 bits the lowest 8 are behind the point
+    mantissa = static_cast<uint16_t>(bits >> 8) | 0x8000;  // of its 24 bits the lowest 8 are after the point
     for (uint8_t i = biased; i != kBias + 15; ++i) {
       if ((mantissa & 1) != 0) return -1;
       mantissa >>= 1;
@@ -85,7 +85,7 @@ int32_t timesWhole(int32_t bits, uint32_t factor) {
   uint32_t mantissa = mantissaOf(static_cast<uint32_t>(bits));
   uint32_t sum = 0;
   uint8_t half = 0;
-  // The bits behind the point, of which the product keeps one to round by; then the others.
+  // The bits after the point, of which the product keeps one to round by; then the others.
   for (; biased < kBias + 23; ++biased) {
     if ((mantissa & 1) != 0) sum += factor;
     mantissa >>= 1;
@@ -117,7 +117,7 @@ void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
 // leading 1 is at bit 31. Below its highest 25 bits it is enough that any bit is set if one would be.
 MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased) {
   for (; (mantissa & kSign) == 0; --biased) mantissa <<= 1;
-  // The lowest byte is behind the last bit: more than half of it, or just that and it is odd.
+  // The lowest byte is below the last bit: more than half of it, or just that and it is odd.
   if ((static_cast<uint8_t>(mantissa) | (static_cast<uint8_t>(mantissa >> 8) & 1)) > 0x80) {
     mantissa += 0x100;
     if (static_cast<uint8_t>(mantissa >> 24) == 0) ++biased;  // carried out of it: the other bits are 0, too
@@ -241,7 +241,7 @@ float oneLess(float whole) {
 float quotient(int32_t value, uint32_t divisor) {
   if (value == 0) return 0;
   uint32_t rest = value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
-  // Long division in binary: the whole part, then bits behind the point until there are 25, one of them to round by.
+  // Long division in binary: the whole part, then bits after the point until there are 25, one of them to round by.
   uint32_t quotient = rest / divisor;
   rest %= divisor;
   int8_t exponent = 24;

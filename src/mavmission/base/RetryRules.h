@@ -7,9 +7,9 @@
 namespace mavmission {
 namespace detail {
 
-// A lossy link or frames, and when what has not been answered is sent again there.
+// How long a link counts as lossy, and when what has not been answered is sent again on it.
 struct PaceRules {
-  static constexpr uint8_t kLossyS = 10;        // after the last loss the line is taken for one that loses
+  static constexpr uint8_t kLossyS = 10;        // after the last loss the link counts as lossy
   static constexpr uint8_t kLeastMs = 50;       // from a message to its repeat on a lossy link, at least
   static constexpr uint16_t kQuickMs = 500;     // a question whose rule is less than this: after half of that
   static constexpr uint16_t kMostMs = 1500;     // longer round trips are not reckoned with
@@ -37,7 +37,7 @@ struct UploadRules {
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
   static constexpr uint16_t kLateRequestMs = 500;  // for an older item: within this time of a newer one it is late
-  static constexpr uint16_t kLateErrorMs = 2500;   // an ERROR so long behind a new request answers nothing from before
+  static constexpr uint16_t kLateErrorMs = 2500;   // an ERROR so long after a new request answers nothing from before
   static constexpr uint16_t kRoomMs = 700;         // after eight repeats in a row, for an unknown server's own timeout
   static constexpr uint8_t kCopies = 4;  // of an item to PX4 on a lossy link; then it and the next one in turn
   static constexpr uint16_t kConfirmingMs = 9000;  // from the last item's request to the end, repeats included
@@ -66,7 +66,7 @@ struct FileRules {
   static constexpr uint8_t kLossyOpenTries = 90;  // of each, on a lossy link
   static constexpr uint8_t kLossyTries = 250;
   static constexpr uint8_t kMostLost = 8;        // a burst of which more than 1 of 8 pieces is lost is the last
-  static constexpr uint8_t kFewItems = 8;        // behind such a burst more than these are read item by item
+  static constexpr uint8_t kFewItems = 8;        // after such a burst more than these are read item by item
   static constexpr uint8_t kQuickMs = 40;        // a second write is sent before the answer, if the last came so soon
   static constexpr uint8_t kUnsureClosings = 5;  // of a file of which it is not known whether it is open
 };
@@ -79,13 +79,13 @@ struct ClearRules {
 struct CommandRules {
   static constexpr uint8_t kTries = 5;
   static constexpr uint8_t kLossyTries = 100;   // on a lossy link
-  static constexpr uint8_t kAcceptedTries = 7;  // for as many counts one behind an acceptance there
+  static constexpr uint8_t kAcceptedTries = 7;  // an attempt that was accepted counts for as many there
   static constexpr uint16_t kAnswerMs = 1500;
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected
   static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from one of these answers to the next
   // An order that changes the mode, or arms.
-  static constexpr uint8_t kFreshMs = 20;          // from a heartbeat to the order that leaves right behind it
+  static constexpr uint8_t kFreshMs = 20;          // from a heartbeat to the order that leaves right after it
   static constexpr uint8_t kAskMs = 100;           // from a request for a heartbeat to the next
   static constexpr uint8_t kMostAsks = 75;         // requests without a heartbeat, before it is given up
   static constexpr uint8_t kMostUrgentAsks = 125;  // the same while somebody's mode may be undone
@@ -145,7 +145,7 @@ struct SteerRules {
   static constexpr uint8_t kTakeOffS = 15;       // from the acceptance of a takeoff until it has left the ground
   static constexpr uint16_t kAskAgainMs = 1000;  // from PX4's answer that it has not, to the next question
   static constexpr uint8_t kFreshS = 3;          // how old a position may be
-  static constexpr uint8_t kTopS = 8;            // how old, where HOLD behind PX4's takeoff waits for the next one
+  static constexpr uint8_t kTopS = 8;            // how old, where HOLD after PX4's takeoff waits for the next one
   static constexpr uint8_t kForgetS = 20;        // without a heartbeat: then the sketch's own mode is anybody's
   // In heartbeats of the autopilot, one a second: how long ago it may have named a target for another one to be waited
   // for.

@@ -17,7 +17,7 @@ class StreamRoom : public StreamRules {
   // time during which the stream has no room is counted from here.
   int of(Stream& stream, uint16_t nowMs, uint8_t blindBytes);
 
-  // True for a stream with room for a byte that may have room for more behind it: a Pico's port never says that it has
+  // True for a stream with room for a byte that may have room for more after it: a Pico's port never says that it has
   // room for more than one byte, though its FIFO takes 32. To be asked again after each byte.
 #ifdef __AVR__
   static constexpr bool saysOne(Stream&) { return false; }

@@ -129,7 +129,7 @@ void Client::cancelAtEnd(Client& client) {
   if (client.session_.toReturn == Status::Idle) client.cancelNow();  // otherwise it has ended by itself
 }
 
-// Cancels an operation that was begun in this update(), behind the end of another one. update() returns that end, and
+// Cancels an operation that was begun in this update(), after the end of another one. update() returns that end, and
 // the next update() this one.
 void Client::cancelSecond(Client& client) {
   if (client.state_.operation == nullptr) return;
@@ -186,7 +186,7 @@ void Client::report(uint16_t done) {
 void Client::sendAck(uint8_t result, PlanType type) { sendShort(KeyIndex::MISSION_ACK, result, type); }
 
 // MISSION_COUNT, MISSION_REQUEST_INT and MISSION_REQUEST begin with a number, MISSION_REQUEST_LIST, MISSION_CLEAR_ALL
-// and MISSION_ACK with the target; behind the target MISSION_ACK has its result, and all have the type of the plan.
+// and MISSION_ACK with the target; after the target MISSION_ACK has its result, and all have the type of the plan.
 void Client::sendShort(KeyIndex message, uint16_t number, PlanType type) {
   static_assert(offsetof(mavlink_mission_count_t, mission_type) == 4 && offsetof(mavlink_mission_count_t, count) == 0 &&
                     offsetof(mavlink_mission_request_int_t, mission_type) == 4 &&

@@ -123,7 +123,7 @@ void Client::Command::takeEvent(Client& client, CommandEvent event, Status statu
   OnCommand const on = client.commanding_.on;
   if (on != nullptr) status = on(client, event, status, frame, nowMs);
   if (status != Status::Transferring || sending.tries() == 0) client.known_.log.ended(tries, nowMs);
-  // Behind a pause the same is asked again: a late answer to it is as good.
+  // After a pause the same is asked again: a late answer to it is as good.
   if (sending.state() == CommandTransfer::State::Pausing) client.known_.log.forget();
   if (status == Status::Transferring) return;
   client.beginSeconds(nowMs);  // the seconds tell the next command how long ago this one ended

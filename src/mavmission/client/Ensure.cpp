@@ -210,7 +210,7 @@ void Client::Ensuring::prove(Client& client, uint16_t nowMs) {
   client.state_.operation = proofStep;
 }
 
-// The read-back, as it is behind any upload, but for its COUNT: that may be the look's, which the line has repeated. So
+// The read-back, as it is after any upload, but for its COUNT: that may be the look's, which the line has repeated. So
 // another number of items is believed when REQUEST_LIST has been sent again.
 void Client::Ensuring::proofStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;

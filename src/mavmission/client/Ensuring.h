@@ -1,4 +1,4 @@
-// ensure(): the look at what is aboard, and the upload behind it.
+// ensure(): the look at what is aboard, and the upload after it.
 #pragma once
 
 #include "Client.h"

@@ -57,7 +57,7 @@ Status PlanPort::checkNextOfAny() {
   if (state.type == PlanType::Mission || client.plan_.count() == 0) return checked;
   Areas& areas = client.areas_;
   Areas::Verdict verdict = {Status::BadFence, ItemField::Param1};
-  uint16_t item = state.next;  // behind the last item; else the one that was checked
+  uint16_t item = state.next;  // after the last item; else the one that was checked
   if (checked == Status::Accepted) {
     --item;
     if (item == 0) areas.begin(client.plan_.keeper());

@@ -16,7 +16,7 @@ struct OperationParts {
   static bool begin(Client&, uint16_t) { return true; }
   // A frame of the autopilot, while the operation is Transferring.
   static void frame(Client&, const FrameParser&, uint16_t) {}
-  // static void time(Client& client, uint16_t nowMs): once in each update(), behind the frames, for what is due and for
+  // static void time(Client& client, uint16_t nowMs): once in each update(), after the frames, for what is due and for
   // the timeouts.
 };
 

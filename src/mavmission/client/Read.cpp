@@ -173,7 +173,7 @@ void Client::ReadingPlan::take(Client& client, const FrameParser& frame, uint16_
       if (mayBeOfCopy && !isListing && client.reading_.transfer.beginAnew(nowMs)) return;
       // While an upload is being proven, the autopilot may still hold the upload open: ArduPilot then denies reading
       // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
-      // attempts limits the wait. Behind a transfer that was left open it may be the answer to that, or ArduPilot's
+      // attempts limits the wait. After a transfer that was left open it may be the answer to that, or ArduPilot's
       // giving it up.
       const bool mayBeOlder = (client.state_.unsettled & kFromOpen) != 0 &&
                               (status == Status::Error || status == Status::CancelledByAutopilot);
@@ -228,7 +228,7 @@ Status Client::compareCount(uint16_t count) {
 
 bool Client::isOurCount(uint16_t count) const { return plan_.numbers().isCountOf(plan_.count(), count); }
 
-// An item, behind which others may have been asked for.
+// An item, after which others may have been asked for.
 void Client::ReadingPlan::takeNext(Client& client, const FrameParser& frame, uint16_t nowMs) {
   DownloadTransfer& transfer = client.reading_.transfer;
   const uint16_t item = transfer.itemsTaken();

@@ -55,7 +55,7 @@ void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t 
 }
 
 // The first item is requested before our COUNT has left: the line has brought one of before once more. What is accepted
-// then may be made of that transfer's number of items and of ours. (Behind a request for a later item one for the first
+// then may be made of that transfer's number of items and of ours. (After a request for a later item one for the first
 // shows that our COUNT was heard. A transfer that was left open is known of.)
 void Client::Uploading::noteEarly(Client& client, const FrameParser& frame) {
   typedef mavlink_mission_request_int_t Request;
@@ -196,7 +196,7 @@ Status Client::Uploading::proven(Client& client, uint32_t opaqueId) {
   if (client.plan_.numbers().isHomeAdded() && client.transfer_.isAskedByInt()) return Status::Unconfirmed;
   if (!client.state_.floatItems) {
     // What a server does whose ways are not known is not known: Betaflight deletes the plan that it has just accepted,
-    // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be
+    // when a network brings our COUNT once more. Reading shows that. (After an empty plan there is nothing to be
     // deleted, and what was sent as floats cannot be compared.)
     if (client.plan_.has(kIsReadBack) && client.transfer_.hasBegun()) return Status::Unconfirmed;
     const bool isNamed = client.plan_.has(kSaysChecksum) && opaqueId != 0;

@@ -90,7 +90,7 @@ void Client::VerifiedStart::end(Client& client, Status status) {
   if (!client.isArmed()) return client.end(Starting::noted(client, Status::NotArmed));
   const uint16_t wanted = client.numberOf(FlightMode::Auto);  // kNoMode: its modes are not known
   if (wanted != kNoMode && client.shownMode() != wanted) return client.end(Starting::noted(client, Status::TakenOver));
-  // What was read behind a standstill may be over: so may what the heartbeat before has shown.
+  // What was read after a standstill may be over: so may what the heartbeat before has shown.
   const bool isNow = client.link_.isCurrent() && !client.link_.isOld();
   if (status == Status::Verified) return client.end(isNow ? Status::Done : Status::Unconfirmed);
   // Not to be read is not to be another plan: it goes on with what it flies.

@@ -32,7 +32,7 @@ class PinPrint : public Print {
   size_t write(uint8_t byte) override {
     volatile uint8_t* const output = output_;
     const uint16_t loops = loops_;
-    uint16_t bits = static_cast<uint16_t>(byte) << 1 | 1 << 9;  // behind the start bit, and before the stop bit
+    uint16_t bits = static_cast<uint16_t>(byte) << 1 | 1 << 9;  // after the start bit, and before the stop bit
     const uint8_t sreg = SREG;
     noInterrupts();
     const uint8_t high = *output | mask_;

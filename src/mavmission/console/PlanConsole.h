@@ -12,10 +12,10 @@
 //
 // Each line is a command; "help" names them. After "load" the lines are those of a .waypoints file (WaypointsText.h),
 // up to "end". Items have the numbers of such a file: 0 is home. A bad text is refused with its line, its field and the
-// reason, and the old plan is kept. So that what was pasted behind it is not done with that plan, "upload", "verify"
+// reason, and the old plan is kept. So that what was pasted after it is not done with that plan, "upload", "verify"
 // and "start" are refused until another load or download has succeeded, or "cancel" has been typed.
 //
-// A line is read when the one before has been answered and the EEPROM is written; so commands may be pasted one behind
+// A line is read when the one before has been answered and the EEPROM is written; so commands may be pasted one after
 // the other. While an operation of the client runs, "cancel", "status", "help" and "list" are done; others are refused.
 //
 // An EEPROM stores about 18 waypoints a second; a terminal that pastes a text sends 150. Items that arrive faster wait

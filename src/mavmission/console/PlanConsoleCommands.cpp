@@ -130,7 +130,7 @@ bool PlanConsole::isAutopilotFree() {
   return false;
 }
 
-// What was pasted behind a text that was refused, was meant for the plan in that text.
+// What was pasted after a text that was refused, was meant for the plan in that text.
 bool PlanConsole::isStored() {
   if (!isNotStored_ && !isIgnored_) return true;
   say(F("the last load or download failed: repeat it, or type cancel"));

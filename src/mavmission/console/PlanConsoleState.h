@@ -38,14 +38,14 @@ class PlanConsoleState {
   bool isStart_ : 1;        // it is start()
   bool isPlanAwaited_ : 1;  // the plan is being committed or erased
   bool isNotStored_ : 1;    // the last load or download has failed, or has not ended
-  bool isIgnored_ : 1;      // a text was ignored behind it, which may come while a download runs
+  bool isIgnored_ : 1;      // a text was ignored after it, which may come while a download runs
   bool isOtherAboard_ : 1;  // a plan was loaded since the last upload or verify
   bool isOverrun_ : 1;      // the port's ring was full: commands were lost
   uint8_t length_;          // of the command so far
   uint8_t kept_;            // items in the room
   uint8_t oldest_;          // of them
   uint8_t ring_;
-  uint16_t skippedMs_;  // when the last byte was ignored behind an overrun
+  uint16_t skippedMs_;  // when the last byte was ignored after an overrun
   uint16_t put_;        // items of the text that were given to the plan
   uint16_t told_;       // stored items that were reported
   uint16_t done_;       // the progress that was printed

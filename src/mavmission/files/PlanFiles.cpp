@@ -44,7 +44,7 @@ PlanFiles::PlanFiles(MissionClient& client)
 
 PlanPort& PlanFiles::plans() const { return client_.plans(); }
 
-// Behind this the client goes on by this operation.
+// After this the client goes on by this operation.
 void PlanFiles::beginOperation(Step operation) {
   operation_ = operation;
   onRead_ = nullptr;
@@ -64,7 +64,7 @@ bool PlanFiles::isUsable() const {
 }
 
 // There is one file for the whole autopilot, and whoever has its session number writes into it. So the number is made
-// of our ids, which nobody else has; low numbers are those of ground stations. Behind a reset it is the same again: a
+// of our ids, which nobody else has; low numbers are those of ground stations. After a reset it is the same again: a
 // file that was left open can be closed then. ArduPilot answers a request from memory if it has the number of the last
 // one: so the numbers begin elsewhere each time.
 void PlanFiles::takeNumbers() {
@@ -137,7 +137,7 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
     case MAV_FTP_OPCODE_CREATEFILE:
       if (!isAck) break;
       self.closings_ = kUntilClosed;
-      // It is empty, or open for reading; behind a copy that has come late, copies of the writes may have come too.
+      // It is empty, or open for reading; after a copy that has come late, copies of the writes may have come too.
       self.isStorable_ = !isLast;
       break;
     case MAV_FTP_OPCODE_TERMINATESESSION:
@@ -160,9 +160,8 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
   self.isStorable_ = false;
 }
 
-// A plan that is complete in its file would be stored now, behind the end of its upload, and perhaps over another plan
-// that has been uploaded meanwhile. So its header is withdrawn first; when that is answered, the next heartbeat closes
-// it.
+// A plan that is complete in its file would be stored now, after the end of its upload, and perhaps over another plan
+// that has been uploaded meanwhile. So its header is withdrawn first; after the answer the next heartbeat closes it.
 void PlanFiles::closeLeftOpen() {
   takeNumbers();
   if (closings_ != kUntilClosed) --closings_;

@@ -4,7 +4,7 @@
 //        |                    |          |   |  another plan is aboard
 //        |                    |          |   +--> the upload (PlanFilesWriting.cpp); Armed, if it is armed by now
 //        |  no files, armed,  |          |  no answer, or a refusal
-//        +- or a lossy line --+----------+--> MissionClient::ensure()
+//        +- or a lossy link --+----------+--> MissionClient::ensure()
 #include "../client/Operation.h"
 #include "../client/PlanPort.h"
 #include "PlanFiles.h"

@@ -162,7 +162,7 @@ FrameParser::Result FrameParser::take(uint8_t byte) {
   if (keepsSignature()) return keepSignature(byte);
 #endif
   if (skip_ == 0 || --skip_ != 0) return grow(byte);
-  // This is the first byte behind a stepped-over frame: if another frame begins here, the length was right.
+  // This is the first byte after a stepped-over frame: if another frame begins here, the length was right.
   boundary_ = have_;
   if (stepping_ == Stepping::Reported) return grow(byte);
   inStep_ = isMagic(byte);
@@ -288,11 +288,11 @@ void FrameParser::skipByte() {
 }
 
 void FrameParser::giveUp() {
-  // No frame began with the first byte. The bytes behind it are looked at again, then those that were waiting already.
+  // No frame began with the first byte. The bytes after it are looked at again, then those that were waiting already.
   if (skip_ != 0) {
     skip_ += have_ - 1;  // these bytes will be counted again
   } else if (boundary_ != 0) {
-    skip_ = boundary_;  // it began inside a frame that has ended, as did the bytes behind it up to that end
+    skip_ = boundary_;  // it began inside a frame that has ended, as did the bytes after it up to that end
     stepping_ = Stepping::Reported;
   } else {
     skipByte();

@@ -1,7 +1,7 @@
 // Bytes to frames: finds MAVLink 1 and 2 frames in a stream that loses and damages bytes.
 //
 // Resynchronisation. A frame of a wanted message is kept whole, as raw bytes, until its checksum is known; if the
-// checksum is wrong, the bytes behind the first one are looked at again, so that a good frame that began inside is
+// checksum is wrong, the bytes after the first one are looked at again, so that a good frame that began inside is
 // found. A frame of any other message is stepped over by its length, but that length is only advice: a wanted frame
 // that begins inside is looked for too, and if its checksum is right, the length was damaged. (In messages that carry
 // other people's bytes, data may look like a frame: there it is left alone.) So the next undamaged wanted frame after
@@ -165,8 +165,8 @@ class FrameParser : public ParserRules {
   Index summed_;  // bytes in the checksum, without the first one and crcExtra_; 0: header not read yet
   Index read_;    // bytes_[read_] to bytes_[end_ - 1] are waiting
   Index end_;
-  uint16_t skip_;   // stepping: bytes left, up to and including the first one behind the frame
-  Index boundary_;  // where in bytes_ the first byte behind a stepped-over frame is; 0: nowhere
+  uint16_t skip_;   // stepping: bytes left, up to and including the first one after the frame
+  Index boundary_;  // where in bytes_ the first byte after a stepped-over frame is; 0: nowhere
   uint16_t crc_;
   uint8_t crcExtra_;
   Stepping stepping_;

@@ -42,13 +42,13 @@ class Link : public LinkRules {
   MAVMISSION_APART void look(uint32_t nowMs);
   // All bytes that had come were read.
   MAVMISSION_APART void noteEmpty(uint32_t nowMs);
-  // True while what is read may be older than kOldMs: no order leaves behind such a heartbeat.
+  // True while what is read may be older than kOldMs: no order leaves after such a heartbeat.
   bool isOld() const { return state_.gap >= kOldMs / kGapMs; }
   // The same for kBlindMs.
   bool isBlind() const { return state_.gap >= kBlindMs / kGapMs; }
   // True if a heartbeat of the autopilot has come since loop() stood still last: what it shows is how it is.
   bool isCurrent() const { return state_.isCurrent; }
-  // The same for somebody who asks between two calls of update(), perhaps behind a standstill that it has not seen yet.
+  // The same for somebody who asks between two calls of update(), perhaps after a standstill that it has not seen yet.
   MAVMISSION_APART bool isCurrentAt(uint32_t nowMs) const {
     return state_.isCurrent && nowMs - state_.emptyMs < kBlindMs;
   }
@@ -128,7 +128,7 @@ class Link : public LinkRules {
   // How quickly the line answers, and whether it loses.
   Pace& pace() { return pace_; }
 
-  // True if the line has brought a frame twice, or behind a later one, since that was forgotten.
+  // True if the line has brought a frame twice, or after a later one, since that was forgotten.
   bool hasTwoWays() const { return state_.hasTwoWays; }
   void forgetTwoWays() { state_.hasTwoWays = false; }
 

@@ -11,7 +11,7 @@ namespace mavmission {
 namespace detail {
 namespace {
 
-// Copies bytes towards the front, and returns the place behind the copy.
+// Copies bytes towards the front, and returns the place after the copy.
 uint8_t* copyToFront(uint8_t* to, const uint8_t* from, uint8_t length) {
   if (length != 0) {
     do *to++ = *from++;

@@ -158,7 +158,7 @@ class Outbox {
     uint32_t alignment_;
   };
   static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_),
-                "the draft must begin behind the header, at a multiple of 4, and end within the frame");
+                "the draft must begin after the header, at a multiple of 4, and end within the frame");
 };
 
 }  // namespace detail

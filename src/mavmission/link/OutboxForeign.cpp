@@ -37,7 +37,7 @@ void Outbox::completeForeign(const OutgoingMessage& message) {
   fill_ = kHeld;
 }
 
-// What lies before the payload, the payload, or what is behind it.
+// What lies before the payload, the payload, or what follows it.
 void Outbox::writeForeign(Outbox& outbox, Stream& stream, uint16_t room) {
   const Foreign& foreign = outbox.foreign_;
   const uint16_t sent = outbox.sent_;

@@ -45,7 +45,7 @@ void Payload::take(Listener& listener, const FrameParser& frame) {
   PayloadCommand& command = self.command_;
   static_assert(offsetof(mavlink_command_long_t, param1) == 0 &&
                     offsetof(mavlink_command_long_t, param7) == sizeof(command.param) - sizeof(command.param[0]),
-                "the seven parameters must lie one behind the other");
+                "the seven parameters must lie one after the other");
   memcpy(command.param, &message, sizeof(command.param));
   command.id = message.command;
   command.systemId = frame.systemId();

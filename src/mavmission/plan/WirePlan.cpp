@@ -64,7 +64,7 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
   const Keeper keeper = keeper_;  // once from memory, since the item might be there
   // param1 to param4, x, y and z lie one after the other, four bytes each.
   uint8_t* number = reinterpret_cast<uint8_t*>(&item);
-  uint16_t kinds = static_cast<uint16_t>(rules.bits);  // of param1 to param4; behind them 0, which is K
+  uint16_t kinds = static_cast<uint16_t>(rules.bits);  // of param1 to param4; after them 0, which is K
   for (uint8_t bit = 1 << 1; bit != 0; bit <<= 1, kinds >>= 4, number += 4) {
     if ((bit & (1 << 5 | 1 << 6)) != 0) continue;
     const FloatKind kind = kindOf(number);

@@ -146,7 +146,7 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
     if (isDoubted && isDoubted_ && !isNew) client_.noteInfeasible();
   }
   isDoubted_ = isDoubted;
-  // Behind the last item there is none that would become the current one.
+  // After the last item there is none that would become the current one.
   if (!wasUnderWay) hasJumped_ = false;
   if (wasUnderWay && state_ == MissionState::Complete) tellUpTo(total_, current_);
   const uint16_t left = current_;
@@ -185,7 +185,7 @@ void MissionFollower::takeReached(const FrameParser& frame) {
 }
 
 // Each item before this one of which nothing was told, although it is behind: ArduPilot tells of each once, and PX4
-// only of the last of a waypoint and the commands behind it. More of them at once are no flight, but a jump.
+// only of the last of a waypoint and the commands after it. More of them at once are no flight, but a jump.
 // Where the plan has jumped back, the items between may never be flown: then it is told of the one that was left alone.
 void MissionFollower::tellUpTo(uint16_t end, uint16_t left) {
   if (end > next_ + FollowRules::kMostBehind) return;

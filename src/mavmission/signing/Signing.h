@@ -1,7 +1,7 @@
 // MAVLink 2 message signing (MAVLink guide, Message Signing): signs frames, and recognises received frames that were
 // signed with our key, and recently.
 //
-// A signature is 13 bytes behind a frame: link id, timestamp (48 bits, 10 us each since 2015), and the first 48 bits of
+// A signature is 13 bytes after a frame: link id, timestamp (48 bits, 10 us each since 2015), and the first 48 bits of
 // the SHA-256 of key, frame, link id and timestamp. Each combination of system, component and link id is a stream,
 // whose timestamps must rise. Our own timestamp rises by one with each frame that we sign, and to that of any later
 // frame that is accepted.
@@ -67,7 +67,7 @@ class Signing {
 
   // --- Signing. True if it may begin, since its timestamp is reserved. Otherwise keepTime() is reserving it.
   bool maySign();
-  // Writes link id and timestamp into the signature, the kLength bytes right behind the last piece; the hash follows
+  // Writes link id and timestamp into the signature, the kLength bytes right after the last piece; the hash follows
   // when work() returns Signed. Only when maySign() and not isBusy(). `pieces`: at most kPieces, from the frame's first
   // byte to its checksum.
   void sign(const Piece* pieces, uint8_t count);

@@ -293,7 +293,7 @@ void Flight::beginPlan(Flight& flight, FlightOrder order) {
 
 void Flight::fillDisarming(Client&, FlightCommand& command) { CommandPort::fillArming(command, false); }
 
-// Each attempt leaves behind a heartbeat that shows the mission's mode: it is not a pilot's vehicle that is disarmed.
+// Each attempt leaves after a heartbeat that shows the mission's mode: it is not a pilot's vehicle that is disarmed.
 Status Flight::onDisarming(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   const Flight& self = *static_cast<const Flight*>(CommandPort::ownerOf(client));
   if (event == CommandEvent::Ready || event == CommandEvent::Heartbeat) {

@@ -125,11 +125,11 @@ void FlightStages::lookInFlight(const FlightSight& sight) {
     knowsRest_ = true;
     return end(EndedBy::Itself, Status::Done);
   }
-  // An order in the air looks itself who has the aircraft, behind newer heartbeats.
+  // An order in the air looks itself who has the aircraft, after newer heartbeats.
   if (running_ != FlightOrder::None && running_ != FlightOrder::Disarm) return;
   if (sight.isOtherPlan) return end(EndedBy::OtherStation, Status::Unproven);
   switch (sight.hands) {
-    // Behind a silence nobody knows whose mode it is.
+    // After a silence nobody knows whose mode it is.
     case FlightHands::Pilot: return end(isSilent_ ? EndedBy::Silence : EndedBy::Pilot, Status::PilotHasIt);
     case FlightHands::Failsafe: return end(EndedBy::Failsafe, Status::FailsafeHasIt);
     case FlightHands::Unclear:

@@ -157,7 +157,7 @@ void MovingTarget::take(Listener& listener, const FrameParser& frame) {
 }
 
 // A loop() that has stood still, or has not heard the autopilot, knows neither where the aircraft is nor who has it.
-// Both are asked for in time: PX4's failsafe comes 1 s behind the last target.
+// Both are asked for in time: PX4's failsafe comes 1 s after the last target.
 void MovingTarget::look(uint32_t nowMs) {
   const uint16_t shortMs = static_cast<uint16_t>(nowMs);
   const uint16_t quietMs = client_.autopilot().quietMs(shortMs);
@@ -270,7 +270,7 @@ Status MovingTarget::onStart(CommandEvent event, Status status, uint16_t nowMs) 
   }
   if (steering_.step_ != SteerStep::Mode || sending.isUrgent()) return status;
   const bool isListening = sending.state() == CommandTransfer::State::Listening;
-  // PX4 takes the mode behind a second of targets.
+  // PX4 takes the mode after a second of targets.
   const bool isLed = hasSent_ && since(sentMs_, nowMs) < kBlindMs && since(beganMs_, nowMs) >= kLeadMs;
   if (needsStream() && !isLed) {
     if (!isListening) sending.listen(SteerRules::kConfirmMs, nowMs);

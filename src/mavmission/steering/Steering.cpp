@@ -134,7 +134,7 @@ void Steering::takeHeartbeat() {
   const bool isArmed = client_.autopilot().isArmed();
   const bool isInMission = ownMode_ == kNoMode || ownMode_ == kPx4TakeOff;
   if (!isArmed) {
-    // (Behind a standstill it may have come before the sketch has named this aircraft.)
+    // (After a standstill it may have come before the sketch has named this aircraft.)
     if (!client_.link().isOld()) seenDisarmed_ = true;
     if (wasArmed_) ownMode_ = kNoMode;  // whoever arms it now may set that mode, too
   }
@@ -158,7 +158,7 @@ void Steering::takeHeartbeat() {
 // What was shown before counts no more.
 void Steering::forgetShown() {
   const uint8_t now = client_.autopilot().knowledge();
-  // (Whoever has the same aircraft behind a gap has taken it from the sketch, if the sketch had it before.)
+  // (Whoever has the same aircraft after a gap has taken it from the sketch, if the sketch had it before.)
   if (!AutopilotFinder::isSame(knowledge_, now)) seenDisarmed_ = hadControl_ = false;
   knowledge_ = now;
   ownMode_ = kNoMode;

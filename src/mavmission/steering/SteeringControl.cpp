@@ -1,7 +1,7 @@
 // Steering: somebody else may take the aircraft while an order is under way.
 //
 // MAVLink has no command that changes a mode only if it is still the one that was seen. So what changes the mode leaves
-// right behind a heartbeat (CommandTransfer::guard()), and what each heartbeat shows is judged here (ModeOrder).
+// right after a heartbeat (CommandTransfer::guard()), and what each heartbeat shows is judged here (ModeOrder).
 #include "../client/CommandPort.h"
 #include "Steering.h"
 #include "SteeringNumbers.h"
@@ -14,7 +14,7 @@ bool Steering::changesMode() const {
   return step_ == SteerStep::Mode || (step_ == SteerStep::Command && oldMode_ != change_.wanted());
 }
 
-// To be called before each event is looked at: the client sends behind them.
+// To be called before each event is looked at: the client sends after them.
 void Steering::noteSent() {
   if (client_.commands().sending().tries() == 0) return;
   if (step_ == SteerStep::Arm) hasArmed_ = true;

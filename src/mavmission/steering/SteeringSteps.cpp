@@ -30,7 +30,7 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
         lead(change_.wanted(), client_.commands().numberOf(FlightMode::Hold));
       }
       const Status begun = nextStep(nowMs);
-      beganS_ = 0;  // behind this event the seconds begin anew
+      beganS_ = 0;  // after this event the seconds begin anew
       return begun;
     }
     case CommandEvent::Accepted:

@@ -21,7 +21,7 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-constexpr uint8_t kNumbers = 7;  // param1 to z, 4 bytes each, one behind the other in a MissionItem
+constexpr uint8_t kNumbers = 7;  // param1 to z, 4 bytes each, one after the other in a MissionItem
 constexpr uint8_t kNumberBytes = 4;
 constexpr uint8_t kItemHead = 4;
 constexpr uint8_t kSummed = 3;  // bytes of a bank's header that the checksum covers: sequence and count

@@ -20,7 +20,7 @@ bool AttitudeListener::decode(TelemetryListener& listener, const FrameParser& fr
   frame.copyPayload(&message, sizeof(message));
   static_assert(offsetof(mavlink_attitude_t, pitch) == offsetof(mavlink_attitude_t, roll) + 4 &&
                     offsetof(mavlink_attitude_t, yaw) == offsetof(mavlink_attitude_t, roll) + 8,
-                "the three angles must lie one behind the other");
+                "the three angles must lie one after the other");
   const uint8_t* const angles = reinterpret_cast<const uint8_t*>(&message) + offsetof(mavlink_attitude_t, roll);
   for (uint8_t i = 0; i < 12; i += 4) {
     if (kindOf(angles + i) != FloatKind::Finite) return false;

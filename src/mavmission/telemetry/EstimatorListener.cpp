@@ -47,7 +47,7 @@ EstimatorListener::EstimatorListener(MissionClient& client, uint16_t intervalMs)
 bool EstimatorListener::decode(TelemetryListener& listener, const FrameParser& frame) {
   typedef mavlink_estimator_status_t Message;
   static_assert(offsetof(Message, mag_ratio) == offsetof(Message, vel_ratio) + (kSensors - 1) * sizeof(float),
-                "the ratios lie one behind the other");
+                "the ratios lie one after the other");
   EstimatorListener& self = static_cast<EstimatorListener&>(listener);
   const bool isArduPilots = frame.messageId() == kEkfStatusReport;
   self.isArduPilots_ = isArduPilots;

@@ -12,7 +12,7 @@ constexpr uint32_t kStaleMs = 10000;  // a message that is older says nothing
 // What a message that came so long ago says now.
 inline FitReason reasonAt(uint32_t ageMs, FitReason reason) { return ageMs > kStaleMs ? FitReason::NotHeard : reason; }
 
-// The greatest of the floats that lie at `first` and behind it in a payload, as bits, which are in the order of the
+// The greatest of the floats that lie at `first` and after it in a payload, as bits, which are in the order of the
 // numbers. Numbers below 0, and those that are none, are left out.
 uint32_t greatestBits(const FrameParser& frame, uint8_t first, uint8_t count);
 

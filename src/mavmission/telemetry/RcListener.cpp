@@ -19,7 +19,7 @@ bool RcListener::decode(TelemetryListener& listener, const FrameParser& frame) {
   frame.copyPayload(&message, sizeof(message));
   static_assert(offsetof(mavlink_rc_channels_t, chan18_raw) ==
                     offsetof(mavlink_rc_channels_t, chan1_raw) + sizeof(uint16_t) * (kChannels - 1),
-                "the channels must lie one behind the other");
+                "the channels must lie one after the other");
   memcpy(self.channelsUs_, reinterpret_cast<const uint8_t*>(&message) + offsetof(mavlink_rc_channels_t, chan1_raw),
          sizeof(self.channelsUs_));
   self.count_ = message.chancount < kChannels ? message.chancount : kChannels;

@@ -36,7 +36,7 @@ class TelemetryListener : public detail::MessageIntervals {
   // `keys`: of HEARTBEAT and COMMAND_ACK, then of the message, in flash. `intervalMs`: from one message to the next
   // [ms]; 0: the message is not requested.
   TelemetryListener(MissionClient& client, const MessageKey (&keys)[3], uint16_t intervalMs, Decode decode);
-  // The same for a message that has another id on some autopilots: the keys of both lie behind the first two, and
+  // The same for a message that has another id on some autopilots: the keys of both lie after the first two, and
   // `takeEither` chooses one of them by request() before it calls take().
   TelemetryListener(MissionClient& client, const MessageKey (&keys)[4], uint16_t intervalMs, Decode decode,
                     Take takeEither);

@@ -41,7 +41,7 @@ bool WindListener::decode(TelemetryListener& listener, const FrameParser& frame)
   typedef mavlink_wind_cov_t Covariance;
   static_assert(offsetof(Covariance, wind_y) == offsetof(Covariance, wind_x) + sizeof(float) &&
                     offsetof(Covariance, wind_z) == offsetof(Covariance, wind_y) + sizeof(float),
-                "the components lie one behind the other");
+                "the components lie one after the other");
   WindListener& self = static_cast<WindListener&>(listener);
   self.hasDirection_ = frame.messageId() == kWind;
   const uint8_t first = self.hasDirection_ ? 0 : offsetof(Covariance, wind_x);

@@ -276,7 +276,7 @@ void printFloat(float value, char* text) {
   if (exponent >= 0 && places + exponent <= 10) {  // whole
     text = putDigits(text, digits, places);
     for (; exponent != 0; --exponent) *text++ = '0';
-  } else if (exponent < 0 && places + exponent > -4) {  // a point within the digits, or a few zeros behind the point
+  } else if (exponent < 0 && places + exponent > -4) {  // a point within the digits, or a few zeros after the point
     const int16_t before = places + exponent;
     if (before > 0) {
       uint32_t unit = 1;

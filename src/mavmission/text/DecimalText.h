@@ -48,8 +48,8 @@ class DecimalText {
   static constexpr uint8_t kMantissaBytes = 8;
 
   uint8_t mantissa_[kMantissaBytes];  // the significant digits, the lowest byte first
-  int16_t places_;                    // digits behind the point
-  int16_t written_;                   // the exponent behind an e
+  int16_t places_;                    // digits after the point
+  int16_t written_;                   // the exponent after an e
   uint8_t digits_;                    // in mantissa_
   uint8_t zeros_;                     // taken after those; they count only if another digit follows
   State state_;

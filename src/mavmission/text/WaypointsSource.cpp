@@ -138,7 +138,7 @@ bool WaypointsSource::find(uint16_t number) {
   return false;
 }
 
-// The first line with an item that begins behind the present position; number 0: there is none.
+// The first line with an item that begins after the present position; number 0: there is none.
 bool WaypointsSource::readMark(Mark& mark) {
   mark.number = 0;
   bool isPassedOver = true;  // the rest of the line is not needed

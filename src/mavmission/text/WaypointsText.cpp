@@ -77,7 +77,7 @@ WaypointsText::Step WaypointsText::takeHeader(char c) {
     isInMark_ = length_ != sizeof(kByteOrderMark);
     return Step::More;
   }
-  const uint8_t expected = pgm_read_byte(&kHeader[field_]);  // 0 behind the last word
+  const uint8_t expected = pgm_read_byte(&kHeader[field_]);  // 0 after the last word
   const bool isGap = expected == ' ' || expected == 0;
   if (!isInMark_ && (isGap ? isBlank(c) : byte == expected)) {
     if (expected != 0) ++field_;
@@ -124,7 +124,7 @@ TextError WaypointsText::store() {
       if (decimal_.isNan()) return TextError::BadNumber;
       item_.z = value;
     } else {
-      // param1 to param4 lie one behind the other.
+      // param1 to param4 lie one after the other.
       memcpy(reinterpret_cast<uint8_t*>(&item_) + static_cast<uint8_t>(4 * (field_ - 5)), &value, sizeof(value));
     }
     return TextError::None;

@@ -32,7 +32,7 @@ class ClearTransfer : public ClearRules {
   // The answers: true if no plan of this type is aboard. onCount(): the autopilot says how many items it has.
   bool onAccepted();
   bool onCount(bool isEmpty);
-  // Behind that: false if it was the last type.
+  // After that: false if it was the last type.
   bool next();
   Status onTime(uint16_t nowMs, const Pace& pace);
   void sent(uint16_t nowMs);

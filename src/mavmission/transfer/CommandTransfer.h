@@ -12,7 +12,7 @@
 //   Listening: nothing is sent while we wait for a message that the autopilot sends by itself; Unconfirmed at timeout
 //   Pausing: a pause before the next attempt
 //
-// An order that others may have overtaken is guarded: each attempt leaves right behind a heartbeat, in the same
+// An order that others may have overtaken is guarded: each attempt leaves right after a heartbeat, in the same
 // update(), so that the operation has seen whose the aircraft is (ModeOrder). Heartbeats come once a second; so one is
 // asked for, beside the command, and again until it comes (MAV_CMD_REQUEST_MESSAGE; both autopilots answer it at once,
 // and PX4 does not take SET_MESSAGE_INTERVAL for its heartbeat).
@@ -45,7 +45,7 @@ class CommandTransfer : public CommandRules {
     askLater();
     state_ = static_cast<uint8_t>(State::Doubting);
   }
-  // Begins the command that sets a mode again which an order has undone. It leaves behind each heartbeat that does not
+  // Begins the command that sets a mode again which an order has undone. It leaves after each heartbeat that does not
   // show that mode yet, and on a lossy link as often as it can while that heartbeat is fresh: most frames of this
   // length are lost there.
   MAVMISSION_APART void restore() {
@@ -84,36 +84,36 @@ class CommandTransfer : public CommandRules {
   // --- Heartbeats
 
   // To be called whenever update() comes by, before anything is made of what it has read. `isOld`: what it reads may
-  // have waited since before loop() stood still (Link::isOld()): no order leaves behind such a heartbeat. `isBlind`: so
-  // long that nothing is under way any more behind that. True where the rest of an order may still have to leave, which
+  // have waited since before loop() stood still (Link::isOld()): no order leaves after such a heartbeat. `isBlind`: so
+  // long that nothing is under way any more after that. True where the rest of an order may still have to leave, which
   // nobody means any more.
   MAVMISSION_APART bool look(bool isOld, bool isBlind, uint16_t nowMs);
   // True while what is read may have waited while loop() stood still.
   bool isOld() const { return isOld_ != 0; }
 
-  // Each attempt of the command that has begun leaves right behind a heartbeat. (The client's gate says for which
+  // Each attempt of the command that has begun leaves right after a heartbeat. (The client's gate says for which
   // commands: autopilot/Guarded.h)
   void guard() { isGuarded_ = 1; }
-  // No order leaves behind the last heartbeat.
+  // No order leaves after the last heartbeat.
   void forgetHeartbeat() { isFresh_ = 0; }
   // Asks for a heartbeat, at once, until one comes.
   void ask() {
     if (isAsking_ == 0) isFresh_ = 1;
     isAsking_ = 1;
   }
-  // The same a little later: behind a heartbeat that leaves a doubt.
+  // The same a little later: after a heartbeat that leaves a doubt.
   void askLater() {
     isAsking_ = 1;
     isFresh_ = 0;
   }
-  // True when the request must be sent, `againMs` behind the one before.
+  // True when the request must be sent, `againMs` after the one before.
   MAVMISSION_APART bool isAskDue(uint16_t nowMs, uint16_t againMs) const {
     return isAsking_ != 0 && isOld_ == 0 && (isFresh_ != 0 || since(lookedMs_, nowMs) >= againMs);
   }
   void asked(uint16_t nowMs);
   // The autopilot's heartbeat has come. To be called before the operation takes it.
   MAVMISSION_APART void onHeartbeat(uint16_t nowMs);
-  // True if the command that is due lacks the heartbeat behind which it may leave.
+  // True if the command that is due lacks the heartbeat after which it may leave.
   bool lacksHeartbeat(uint16_t nowMs) const {
     return isGuarded_ != 0 && (isOld_ != 0 || isAsking_ != 0 || isFresh_ == 0 || since(lookedMs_, nowMs) >= kFreshMs);
   }
@@ -128,7 +128,7 @@ class CommandTransfer : public CommandRules {
   uint8_t tries() const { return tries_; }
 
  private:
-  // The wait behind an acceptance on a lossy link, by which it is known.
+  // The wait after an acceptance on a lossy link, by which it is known.
   static constexpr uint16_t kAcceptedMs = kAnswerMs - 1;
   static constexpr uint8_t kOrderTickMs = 16;  // a byte of them is 4 s; look() comes sooner
 
@@ -144,7 +144,7 @@ class CommandTransfer : public CommandRules {
   uint8_t repeats_ : 1;
   uint8_t isGuarded_ : 1;
   uint8_t isAsking_ : 1;
-  uint8_t isFresh_ : 1;     // no command has left behind the last heartbeat yet; while asking: nor a request
+  uint8_t isFresh_ : 1;     // no command has left after the last heartbeat yet; while asking: nor a request
   uint8_t hasOrdered_ : 1;  // ordered_ is known
 };
 

@@ -8,8 +8,8 @@
 //    v                   v
 //   NoAnswer            TimedOut
 //
-// An autopilot that answers each request by itself is asked for several items, one behind the other, before the first
-// has come. They are taken in their order. When one is lost, what comes behind it is not used: from it on all are asked
+// An autopilot that answers each request by itself is asked for several items, one after the other, before the first
+// has come. They are taken in their order. When one is lost, what comes after it is not used: from it on all are asked
 // for again, when no answer can be under way any more.
 //
 // PX4 ends a reading at a request that it does not expect, as a copy of an earlier one is that the line brings. The
@@ -28,7 +28,7 @@ namespace detail {
 class DownloadTransfer : public DownloadRules {
  public:
   enum class State : uint8_t { Listing, Fetching, Closing };
-  enum class Send : uint8_t { Nothing, List, Request, Accepted };  // behind Nothing in the order of State
+  enum class Send : uint8_t { Nothing, List, Request, Accepted };  // after Nothing, in the order of State
 
   MAVMISSION_APART void begin(uint16_t nowMs, uint8_t anew = 0);
   // After begin(): the items before this one are there already.
@@ -80,7 +80,7 @@ class DownloadTransfer : public DownloadRules {
 
  private:
   uint16_t sentMs_;
-  uint16_t startedMs_;  // when the request that is open now was sent first; not of one of several behind another
+  uint16_t startedMs_;  // when the request that is open now was sent first; not for one of several that are open
   uint16_t left_;       // items that have not come
   uint16_t next_;       // the first of them
   State state_;

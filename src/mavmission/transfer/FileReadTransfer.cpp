@@ -74,7 +74,7 @@ void FileReadTransfer::fill(uint8_t index, uint16_t item) {
 void FileReadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
   const bool isAskedFor = request_ == Send::Item && item == itemToAsk();
   if (isAskedFor && tries_ != 0) learn(nowMs, pace);
-  sentMs_ = nowMs;  // the answer to what was asked for comes behind the rest of a burst
+  sentMs_ = nowMs;  // the answer to what was asked for comes after the rest of a burst
   ++taken_;
   if (item >= end_) {
     if (item != end_) holes_[holeCount_++] = Hole{end_, item};
@@ -114,7 +114,7 @@ void FileReadTransfer::close(Status result) {
 
 Status FileReadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (send_ != Send::Nothing) {
-    // The line is not free yet. What the closing of the file waits for too long is closed behind the end.
+    // The line is not free yet. What the closing of the file waits for too long is closed after the end.
     return state_ == State::Closing && since(sentMs_, nowMs) >= kWriteMs ? result_ : Status::Transferring;
   }
   const bool isOpening = state_ == State::Opening;

@@ -22,7 +22,7 @@ class FileReadTransfer : public FileRules {
   enum class State : uint8_t { Opening, Heading, Reading, Closing };
   enum class Send : uint8_t { Nothing, Open, Header, Burst, Item, Close };
 
-  // `takesAnyOrder`: items behind a lost one are taken all the same, and that one is read afterwards.
+  // `takesAnyOrder`: items after a lost one are taken all the same, and that one is read afterwards.
   void begin(bool takesAnyOrder);
 
   // The inputs. Each answer that is none to the request that was sent last is ignored.
@@ -70,7 +70,7 @@ class FileReadTransfer : public FileRules {
   uint16_t sentMs_;     // when the last request was sent, or the last piece came
   uint16_t startedMs_;  // when the request that is open now was sent first
   uint16_t count_;
-  uint16_t end_;  // the first item behind all that have been taken
+  uint16_t end_;  // the first item after all that have been taken
   uint16_t taken_;
   uint8_t holeCount_;
   uint8_t mostHoles_;

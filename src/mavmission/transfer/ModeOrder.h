@@ -1,6 +1,6 @@
 // An order that changes the mode of an aircraft of which others may change the mode, too: a pilot, a failsafe, another
 // station. MAVLink has no command that changes a mode only if it is still the one that was seen. So each attempt of the
-// order leaves right behind a heartbeat (CommandTransfer::guard()) in which this class has seen no foreign mode; and
+// order leaves right after a heartbeat (CommandTransfer::guard()) in which this class has seen no foreign mode; and
 // when a foreign mode has come too late for that, and the order undoes it, the foreign mode is set again.
 #pragma once
 

@@ -56,7 +56,7 @@ void UploadTransfer::moveTo(uint16_t item, uint16_t nowMs) {
   send_ = Send::Item;
 }
 
-// The autopilot receives another, longer plan: a COUNT of an earlier upload has arrived behind ours, or PX4 has ignored
+// The autopilot receives another, longer plan: a COUNT of an earlier upload has arrived after ours, or PX4 has ignored
 // ours and continues an upload from which it had not received an item yet. That one is ended, and ours begins again.
 void UploadTransfer::endOther() {
   note(kBeyond);

@@ -26,7 +26,7 @@ enum UploadEvidence : uint16_t {
   kBeyond = 64,  // an item was requested that this plan does not have: the autopilot receives another plan
   // --- How things are when the answer comes
   kDoubted = 128,     // another answer has come before that was not believed
-  kOnLossy = 256,     // the line loses: earlier messages were repeated, and each repeat may be answered
+  kOnLossy = 256,     // the link is lossy: earlier messages were repeated, and each repeat may be answered
   kLongAfter = 512,   // the last new request is so long ago that this answers nothing before it
   kIsTaken = 1024,    // if this answers the current item, the autopilot has that item
   kTriesUsed = 2048,  // COUNT was sent as often as it is sent to a PX4 that is busy
@@ -69,7 +69,7 @@ constexpr Verdict verdictOnEarly(Firmware firmware, const Evidence& e) {
 }
 
 // ArduPilot answers so to every item but the one that it waits for, and continues. A server whose ways are not known
-// may be idle behind the last item, with our plan or without it; before, it has given the upload up at an item that
+// may be idle after the last item, with our plan or without it; before, it has given the upload up at an item that
 // came twice (Betaflight).
 template <class Evidence>
 constexpr Verdict verdictOnInvalidSequence(UploadState state, Firmware firmware, const Evidence& e) {
@@ -80,8 +80,8 @@ constexpr Verdict verdictOnInvalidSequence(UploadState state, Firmware firmware,
 }
 
 // PX4 is busy. If that may be with what was ours, it is ended, and COUNT sent again: the cancelling may be lost as
-// well, and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up. On a line that
-// loses that is so behind a reset, too, and each repeat of COUNT from before the cancelling has its error.
+// well, and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up. On a lossy
+// link that is so after a reset, too, and each repeat of COUNT from before the cancelling has its error.
 template <class Evidence>
 constexpr Verdict verdictOnBusy(const Evidence& e) {
   return !e.has(kFreed)                                                                      ? Verdict::FreeFirst
