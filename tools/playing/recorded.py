@@ -1,7 +1,7 @@
 """A run of the example that the page opens with, as the page is told of it: shown until Python has come.
 
-Recorded where the page is made, with the simulated Mega of the tests, and kept until the firmware or the far end
-changes.
+Recorded where the page is made, with the simulated Mega of the tests, and kept until the firmware or the autopilot's
+end changes.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ def make_recorded(file: Path, world: Path, tell: Callable[[str], None]) -> None:
 
 def recorded(elf: Path) -> dict[str, Any]:
     """{example, autopilot, from: the time of the takeoff, which is shown first, told: [[time, news, printed], ...]}."""
-    from .inside.far_end import FarEnd
+    from .inside.autopilot_end import AutopilotEnd
 
     mega = Mega(elf)
-    far = FarEnd(json.dumps({
+    end = AutopilotEnd(json.dumps({
         "autopilot": AUTOPILOT, "loss": 0, "bytes": 0, "seed": 0, "hz": mega.hz, "arms": True, "home": EXAMPLES_FLY_AT,
     }))  # fmt: skip
     told: list[list] = []
@@ -55,12 +55,12 @@ def recorded(elf: Path) -> dict[str, Any]:
         mega.run_until(mega.cycle + SLICE_CYCLES)
         printed += bytes(one.byte for one in mega.serial(0).sent())
         sent = mega.serial(1).sent()
-        arriving = far.step(now, bytes(one.byte for one in sent), [one.left for one in sent], BAUD)
+        arriving = end.step(now, bytes(one.byte for one in sent), [one.left for one in sent], BAUD)
         if arriving:
             mega.serial(1).send(arriving, mega.cycle)
         if now < (told[-1][0] if told else 0.0) + TOLD_EVERY_S:
             continue
-        news = json.loads(far.news() or "{}")
+        news = json.loads(end.news() or "{}")
         for frame in news.get("frames", []):
             frame["hex"] = ""  # its fields are Python's to explain
             frame.update({key: round(frame[key], 6) for key in ("at", "began", "ended")})

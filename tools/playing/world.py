@@ -24,7 +24,7 @@ PLANNING = (
     "landing_pattern", "litchi", "located_json", "makers", "plan", "progress", "qgc_mission", "qgc_plan",
     "recognising", "settling", "unset", "waypoints",
 )  # fmt: skip
-OWN = ("drawn", "explained", "far_end", "interference")
+OWN = ("drawn", "explained", "autopilot_end", "interference")
 RECORDINGS = ("px4/clean_with_streams.txt",)
 
 

@@ -29,7 +29,7 @@ export class Drawing {
     return wordOf(this);
   }
 
-  // What the far end makes files of.
+  // What Python makes files of.
   get plan() {
     const { home } = this.map;
     return {

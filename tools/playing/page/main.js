@@ -3,7 +3,7 @@
 import { ArduPilotBuild } from "./ardupilot/build.js";
 import { AUTOPILOTS, hashOf, MOST_SEED, PLAIN, stateOf } from "./address.js";
 import { packed, unpacked } from "./carried.js";
-import { Deeds } from "./deeds.js";
+import { EventLog } from "./event_log.js";
 import { saved } from "./download.js";
 import { Drawing } from "./drawing.js";
 import { Dropped } from "./dropped.js";
@@ -51,8 +51,8 @@ const NAMES = { ardupilot: "ArduPilot", px4: "PX4", port: "the Pixhawk", build: 
 const at = (id) => document.getElementById(id);
 const map = new PlanMap(at("map"));
 const timeline = new Timeline(at("timeline"), (frame) => frames.selectFrame(frame));
-const frames = new Frames(at("frames"), ({ hex }) => hex && far.postMessage({ does: "explain", hex }));
-const deeds = new Deeds(at("deeds"));
+const frames = new Frames(at("frames"), ({ hex }) => hex && python.postMessage({ does: "explain", hex }));
+const eventLog = new EventLog(at("event-log"));
 const pins = new PinPanel(at("pins"), (pin, isDown) => mega.postMessage({ does: "press", pin, isDown }));
 const editor = new Editor({
   area: at("source"), compile: at("compile"), back: at("source-back"), errors: at("errors"), says: at("compiler-says"),
@@ -68,13 +68,13 @@ const playback = new Playback(({ now, news, printed }) => {
 });
 const drawing = new Drawing(map, at("points"), drawn);
 const mega = new Worker("mega/worker.js", { type: "module" });
-const far = new Worker("far/worker.js", { type: "module" });
+const python = new Worker("python/worker.js", { type: "module" });
 
 let known = null; // examples.json
 let ends = []; // how an operation can end, in the sketch's words
 let state = { ...PLAIN };
 let run = 0;
-let isReady = false; // the far end has loaded
+let isReady = false; // the autopilot has loaded
 let isOutside = false; // something else is in the place of the simulated autopilot
 let isPort = false; // a serial port, at which there may be a real aircraft
 let plan = null; // the plan that was dropped onto the page
@@ -92,7 +92,7 @@ let ramFree = null;
 let whenCompiled = ""; // the example that was chosen when the editor's sketch was given to the compiler
 let shownLater = null;
 
-const hearOutside = (bytes) => far.postMessage({ does: "outside", bytes });
+const hearOutside = (bytes) => python.postMessage({ does: "outside", bytes });
 const pixhawk = new Pixhawk(hearOutside, (why) => {
   if (!isOutside) return;
   notice(`The real autopilot is no longer connected: ${why}. The simulated one is used again.`);
@@ -147,9 +147,9 @@ function begin() {
   timeline.forget();
   at("console").textContent = "";
   frames.forget();
-  deeds.forget();
+  eventLog.forget();
   pins.forget(example().pins);
-  if (isOrdered()) pins.offer("Send “lower 2 m of rope”", () => far.postMessage({ does: "interfere", who: "order" }));
+  if (isOrdered()) pins.offer("Send “lower 2 m of rope”", () => python.postMessage({ does: "interfere", who: "order" }));
   showFields(at("fields"), null);
   setPace(1);
   at("vehicle").textContent = isPort ? "" : "The aircraft is not known yet.";
@@ -164,9 +164,9 @@ function begin() {
     arms: Boolean(example().arms),
     held: example().reads && !isOutside ? known.held[state.autopilot] : null,
   };
-  far.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
-  if (!isPort && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
-  if (!isPort && state.lose === "ack") far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
+  python.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
+  if (!isPort && state.cable === "pulled") python.postMessage({ does: "cable", joined: false });
+  if (!isPort && state.lose === "ack") python.postMessage({ does: "loseNext", name: "MISSION_ACK" });
   const number = run;
   firmwareOf(example())
     .then((hex) => {
@@ -240,7 +240,7 @@ mega.onmessage = ({ data }) => {
 };
 mega.onerror = (error) => outcome(`The Mega's worker has failed: ${error.message}`, "bad");
 
-far.onmessage = ({ data }) => {
+python.onmessage = ({ data }) => {
   const { says } = data;
   if (says === "loading") loading(data.what);
   if (says === "fetched") showFetched(data.bytes);
@@ -254,7 +254,7 @@ far.onmessage = ({ data }) => {
   if (says === "judged") judged(data.verdict);
   if (says === "outside") (isPort ? pixhawk : build).send(data.bytes);
 };
-far.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
+python.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
 
 function showPins(state) {
   pins.show(state);
@@ -303,7 +303,7 @@ async function beginOrCarry() {
   if (!word) return begin();
   try {
     const { name, bytes } = await unpacked(word);
-    far.postMessage({ does: "read", name, bytes, word }, [bytes]);
+    python.postMessage({ does: "read", name, bytes, word }, [bytes]);
   } catch {
     notice("The plan in the address is damaged, and is ignored.");
     change({ plan: "" }, true);
@@ -320,7 +320,7 @@ function print(text) {
   line = lines.pop();
   seen.said = lines.findLast((one) => one.trim()) || seen.said;
   tellOfSketch();
-  if (lines.length) deeds.say(seen.said, timeline.now);
+  if (lines.length) eventLog.say(seen.said, timeline.now);
   if (!dropped) return;
   const step = dropped.step;
   dropped.hear(text);
@@ -332,14 +332,14 @@ function print(text) {
 function showNews({ now, news }) {
   for (const event of news.events || []) {
     timeline.addEvent(event);
-    deeds.add(event);
+    eventLog.add(event);
   }
   seen.read ||= news.read;
   seen.heard ||= news.frames?.some(({ way, lost, text }) => way === "<" && !lost && text.startsWith("HEARTBEAT"));
   if (news.frames) {
     timeline.add(news.frames, now);
     frames.add(news.frames);
-    deeds.hear(news.frames);
+    eventLog.hear(news.frames);
   } else {
     timeline.add([], now);
   }
@@ -358,7 +358,7 @@ function showNews({ now, news }) {
     const flies = item === null || item === undefined ? "" : `, item ${numberOf("plan", item, hasHome())}`;
     at("vehicle").textContent = `${mode}, ${armed ? "armed" : "disarmed"}, ${height.toFixed(1)} m${flies}`;
   }
-  deeds.wait(now);
+  eventLog.wait(now);
   tellOfSketch();
 }
 
@@ -383,7 +383,7 @@ function showLater() {
     const shown = Object.entries(held).map(([kind, items]) => [kind, numbered(kind, items, hasHome())]);
     map.show({ held: Object.fromEntries(shown), arrived: arrivedItems() });
     showItems();
-    far.postMessage({ does: "judge", meant: plan || isOutside ? {} : meant() });
+    python.postMessage({ does: "judge", meant: plan || isOutside ? {} : meant() });
   }, SHOWN_EVERY_MS);
 }
 
@@ -558,7 +558,7 @@ function drawn() {
 
 function askForFiles() {
   at("returns").checked = drawing.returns;
-  if (isReady && drawing.points.length) far.postMessage({ does: "draw", plan: drawing.plan });
+  if (isReady && drawing.points.length) python.postMessage({ does: "draw", plan: drawing.plan });
   showFiles(files);
 }
 
@@ -599,7 +599,7 @@ function setPace(factor) {
 }
 
 function sendLoss() {
-  far.postMessage({ does: "lose", frames: state.loss, bytes: state.bytes });
+  python.postMessage({ does: "lose", frames: state.loss, bytes: state.bytes });
 }
 
 // A plan was read. word: that of the address, if it was carried there.
@@ -622,7 +622,7 @@ async function readFile(file) {
   if (!isReady) return notice("The autopilot is still loading: choose the plan when that is done.");
   if (file.size > LARGEST_FILE) return notice(`The plan was refused: ${file.name} is larger than 64 MB.`);
   const bytes = await file.arrayBuffer();
-  far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
+  python.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
 }
 
 // A sketch of one's own takes its place among the examples, and runs, unless another one was chosen meanwhile.
@@ -691,14 +691,14 @@ at("seed").onchange = (event) => {
 at("cable").onclick = () => {
   const cable = state.cable === "pulled" ? "joined" : "pulled";
   change({ cable }, false);
-  far.postMessage({ does: "cable", joined: cable === "joined" });
+  python.postMessage({ does: "cable", joined: cable === "joined" });
   outcome(...latest);
 };
-at("lose").onclick = () => far.postMessage({ does: "loseNext", name: at("lose-what").value });
+at("lose").onclick = () => python.postMessage({ does: "loseNext", name: at("lose-what").value });
 at("latency").oninput = (event) => change({ latency: Number(event.target.value) }, false);
-at("latency").onchange = () => far.postMessage({ does: "latency", milliseconds: state.latency });
+at("latency").onchange = () => python.postMessage({ does: "latency", milliseconds: state.latency });
 for (const who of ["pilot", "lands", "battery", "station"]) {
-  at(who).onclick = () => far.postMessage({ does: "interfere", who });
+  at(who).onclick = () => python.postMessage({ does: "interfere", who });
 }
 at("pause").onclick = () => setPace(isPaused ? Number(at("pace").value) : 0);
 at("pace").onchange = () => setPace(Number(at("pace").value));
@@ -729,7 +729,7 @@ at("save-drawn").onclick = () => {
 at("fly").onclick = () => {
   draw(false);
   const bytes = new TextEncoder().encode(files.waypoints).buffer;
-  far.postMessage({ does: "read", name: `${files.name}.waypoints`, bytes }, [bytes]);
+  python.postMessage({ does: "read", name: `${files.name}.waypoints`, bytes }, [bytes]);
 };
 at("reset-mega").onclick = () => {
   verdict = null;
@@ -738,11 +738,11 @@ at("reset-mega").onclick = () => {
   line = "";
   dropped = null;
   mega.postMessage({ does: "reset" });
-  far.postMessage({ does: "forget" });
+  python.postMessage({ does: "forget" });
   if (isReady) outcome(isConsole() ? KEPT : firstWords());
 };
 at("reset-autopilot").onclick = () => {
-  far.postMessage({ does: "restart" });
+  python.postMessage({ does: "restart" });
 };
 at("heard").onclick = () => notice("");
 at("again").onclick = () => begin();

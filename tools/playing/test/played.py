@@ -44,9 +44,9 @@ _REST = """
 const pause = document.getElementById("pause");
 if (pause.textContent === "Pause") pause.click();
 """
-# A run that begins after this stands still until a step lets it run: what the Mega has sent is not given to the far end
-# before, and the Mega waits for its answer. So what a test does meanwhile, however slow the machine, takes none of the
-# page's time.
+# A run that begins after this stands still until a step lets it run: the autopilot's end is not given what the Mega
+# has sent before that, and the Mega waits for its answer. So what a test does meanwhile, however slow the machine,
+# takes none of the page's time.
 _HOLD = """
 const Free = MessageChannel;
 window.stepped = { slices: 0, held: [], release: () => (window.MessageChannel = Free) };

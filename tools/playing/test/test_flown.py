@@ -1,4 +1,4 @@
-"""Examples that arm fly in the page to their end: its far end of the line, beside the tests' own Mega.
+"""Examples that arm fly in the page to their end: its autopilot's end of the line, beside the tests' own Mega.
 
 Each beside one of the two autopilots, in turn: that it flies beside both is said by test/documents.
 """
@@ -13,7 +13,7 @@ import pytest
 from building import build_sketch
 from demonstration.autopilots import EXAMPLES_FLY_AT
 from played import FLOWN
-from playing.inside.far_end import FarEnd
+from playing.inside.autopilot_end import AutopilotEnd
 from simulation.mega import Mega
 
 SLICE_CYCLES = 80_000  # 5 ms
@@ -47,21 +47,21 @@ def test_example_that_arms_flies_in_the_page_to_its_end(example, autopilot):
     mega = Mega(build_sketch(example).elf)
     settings = {"autopilot": autopilot, "loss": 0, "bytes": 0, "seed": 1, "hz": mega.hz, "arms": True,
                 "home": EXAMPLES_FLY_AT}  # fmt: skip
-    far = FarEnd(json.dumps(settings))
+    end = AutopilotEnd(json.dumps(settings))
     hand = Hand(example, mega)
     height_m = FLOWN[example]
     printed, highest_m, legs = b"", 0.0, 2 if example == "NextWaypoint" else 1
-    while (far.autopilot.armed or printed.count(LANDED) < legs) and mega.cycle < LIMIT_S * mega.hz:
+    while (end.autopilot.armed or printed.count(LANDED) < legs) and mega.cycle < LIMIT_S * mega.hz:
         hand.look(mega.cycle / mega.hz, printed)
         mega.run_until(mega.cycle + SLICE_CYCLES)
         printed += bytes(one.byte for one in mega.serial(0).sent())
         sent = mega.serial(1).sent()
         data, left = bytes(one.byte for one in sent), [one.left for one in sent]
-        arriving = far.step(mega.cycle / mega.hz, data, left, BAUD)
+        arriving = end.step(mega.cycle / mega.hz, data, left, BAUD)
         if arriving:
             mega.serial(1).send(arriving, mega.cycle)
-        highest_m = max(highest_m, far.autopilot.flight.where(mega.cycle / mega.hz).height)
+        highest_m = max(highest_m, end.autopilot.flight.where(mega.cycle / mega.hz).height)
     assert printed.endswith(LANDED)
     # FlyByButtons holds the height at which its flight by hand begins: when the takeoff is all but over.
     assert highest_m == pytest.approx(height_m, abs=1.5 if example == "FlyByButtons" else 1e-5)
-    assert not far.autopilot.armed
+    assert not end.autopilot.armed

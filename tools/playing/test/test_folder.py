@@ -18,7 +18,7 @@ from building import ROOT
 from examples import example_folders, sketch_of
 
 BOUNDS = tomllib.loads(Path(__file__).with_name("bounds.toml").read_text())
-OWN = ("*.html", "*.css", "*.js", "ardupilot/*.js", "far/*.js", "mega/*.js")
+OWN = ("*.html", "*.css", "*.js", "ardupilot/*.js", "python/*.js", "mega/*.js")
 
 
 def size(folder, *patterns: str) -> int:
@@ -146,6 +146,6 @@ def test_the_command_checks_the_page_and_its_check_fails_where_a_script_is_missi
     assert said.stdout.endswith("the first upload is aboard under ArduPilot and PX4\n")
     broken = tmp_path / "broken"
     shutil.copytree(folder, broken)
-    (broken / "far" / "worker.js").write_text("throw new Error('broken');\n")
+    (broken / "python" / "worker.js").write_text("throw new Error('broken');\n")
     wrong = check(broken, starts_s=3.0)
     assert wrong and "not within" in wrong[0]

@@ -147,7 +147,7 @@ def test_a_payload_is_ordered_by_a_button_and_buttons_say_what_they_do(page):
     page.begin("#example=PayloadWinch&autopilot=px4")
     page.wait_for_text("#outcome", "the button that sends one stands under “Inside the Mega”.")
     page.browser.click("#pins .order")
-    page.wait_for_text("#deeds", "the sketch says “lowering 2.00 m of rope”")
+    page.wait_for_text("#event-log", "the sketch says “lowering 2.00 m of rope”")
     page.wait_for_text("#pins", "D9, motor: on")
     page.wait_for_text("#console", "lowered")
     page.begin("#example=FlyByButtons")

@@ -36,11 +36,11 @@ def test_what_one_does_is_told_at_once_with_what_came_of_it(page, button):
     page.wait_until_good()
     # In one go: the page's clock runs on while the browser is told what to do.
     before = page.browser.run(f"document.getElementById('{button}').click(); return {CLOCK}")
-    page.wait_for_text("#deeds", WORDS[button], limit_s=5)
-    told_at = float(page.browser.text("#deeds").split(" s: ")[0])
+    page.wait_for_text("#event-log", WORDS[button], limit_s=5)
+    told_at = float(page.browser.text("#event-log").split(" s: ")[0])
     assert before - 0.3 <= told_at <= before + 1.5
-    page.wait_for_text("#deeds", " +")
-    result = page.browser.text("#deeds")
+    page.wait_for_text("#event-log", " +")
+    result = page.browser.text("#event-log")
     if button == "reset-mega":
         assert "the Mega sends" in result or "the sketch says" in result
     if button == "station":
@@ -54,7 +54,7 @@ def test_what_one_does_is_told_at_once_with_what_came_of_it(page, button):
         page.wait_for_text("#pilot", "The pilot gives back")
         assert page.places == places
         page.browser.click("#pilot")
-        page.wait_for_text("#deeds", "the pilot sets the mode of before again")
+        page.wait_for_text("#event-log", "the pilot sets the mode of before again")
         page.wait_for_text("#pilot", "A pilot takes over")
     if button == "cable":
         assert page.outcome.startswith("The cable is pulled: nothing passes. All ")
@@ -66,8 +66,8 @@ def test_a_pilot_who_takes_over_in_flight_is_told_of_by_the_sketch(page):
     page.begin("#example=GoToPlaces")
     page.wait_for_text("#console", "to 1")  # the headline has it until the next line, which comes at once
     page.browser.click("#pilot")
-    page.wait_for_text("#deeds", "a pilot sets LOITER")
-    page.wait_for_text("#deeds", "the sketch says")
+    page.wait_for_text("#event-log", "a pilot sets LOITER")
+    page.wait_for_text("#event-log", "the sketch says")
     page.wait_for_text("#outcome", "In flight, in LOITER.")
 
 
@@ -80,7 +80,7 @@ def test_latency_is_in_the_address(page):
       slider.dispatchEvent(new Event("input"));
       slider.dispatchEvent(new Event("change"));
     """)
-    page.wait_for_text("#deeds", "from now on all takes 300 ms longer")
+    page.wait_for_text("#event-log", "from now on all takes 300 ms longer")
     assert page.value("location.hash") == "#example=UploadWithProgress&latency=300"
 
 

@@ -112,7 +112,7 @@ def test_a_phone_shows_outcome_map_and_buttons_at_once_with_messages_at_the_thum
         page.begin("#example=UploadMission")
         page.wait_until_good()
         rectangle = "(({{ top, bottom }}) => [top, bottom])(document.querySelector('{}').getBoundingClientRect())"
-        outcome, plan, log = (page.value(rectangle.format(one)) for one in ("#outcome", "#map", "#deeds"))
+        outcome, plan, log = (page.value(rectangle.format(one)) for one in ("#outcome", "#map", "#event-log"))
         names = page.value("[...document.querySelectorAll('#break-part button')].map((one) => one.id)")
         buttons = [page.value(rectangle.format(f"#{name}")) for name in names]
         assert len(buttons) == 8

@@ -1,5 +1,5 @@
-"""Parts of the page by themselves, in Node.js: addresses, files that are no sketch, what came of a deed, and how a plan
-is given to PlanConsole."""
+"""Parts of the page by themselves, in Node.js: addresses, files that are no sketch, what came of an event, and how a
+plan is given to PlanConsole."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from building import build_sketch
 
 pytestmark = pytest.mark.slow
 
-# As much of a page as a list of deeds needs.
+# As much of a page as an event log needs.
 LIST = """
 globalThis.document = { createElement: () => ({
   textContent: "", append(words) { this.textContent += words; }, remove() {},
@@ -54,14 +54,14 @@ def test_an_elf_that_is_none_or_was_cut_off_is_called_so(folder, tmp_path):
     assert said == ["it is no ELF file", "it is no ELF file", *["the .elf file was cut off"] * 2]
 
 
-def deeds(folder: Path, script: str) -> list[str]:
-    script = f"{LIST} const deeds = new Deeds(list); {script}; out = list.children.map((one) => one.textContent)"
-    return ran(folder, "Deeds@deeds.js", script)
+def logged(folder: Path, script: str) -> list[str]:
+    script = f"{LIST} const log = new EventLog(list); {script}; out = list.children.map((one) => one.textContent)"
+    return ran(folder, "EventLog@event_log.js", script)
 
 
 def heard(*frames: tuple[str, str, str, bool, float]) -> str:
     made = (FRAME % (way, text, lost, json.dumps(again), began) for way, text, lost, again, began in frames)
-    return f"deeds.hear([{', '.join(made)}])"
+    return f"log.hear([{', '.join(made)}])"
 
 
 def test_the_headline_says_whether_the_sketch_has_printed_and_where_its_buttons_are(folder):
@@ -82,20 +82,20 @@ def test_what_is_lost_is_told_however_many_items_were_sent_before(folder):
     items = [(">", f"MISSION_ITEM_INT {seq}: NAV_WAYPOINT", "", False, 2 + seq / 10) for seq in range(9)]
     frames = [(">", "MISSION_COUNT 9 items", "", False, 1.9), *items, ("<", "MISSION_ACK ACCEPTED", "lost", False, 3.0),
               (">", "MISSION_ITEM_INT 8: NAV_WAYPOINT", "", True, 4.5)]  # fmt: skip
-    (told,) = deeds(folder, f'deeds.add({{ at: 1, words: "the Mega is restarted" }}); {heard(*frames)}')
+    (told,) = logged(folder, f'log.add({{ at: 1, words: "the Mega is restarted" }}); {heard(*frames)}')
     assert told == ("1.0 s: the Mega is restarted. +0.90 s: the Mega sends MISSION_COUNT 9 items. "
                     "+1.00 s: the Mega sends MISSION_ITEM_INT 0: NAV_WAYPOINT. +2.00 s: lost: MISSION_ACK ACCEPTED. "
                     "+3.50 s: the Mega sends again MISSION_ITEM_INT 8: NAV_WAYPOINT.")  # fmt: skip
 
 
-def test_a_frame_that_is_to_be_lost_is_waited_for_over_other_deeds_and_each_deed_has_its_end(folder):
-    restarted, pulled, told = deeds(folder, f"""
-      deeds.add({{ at: 1, words: "the next MISSION_ACK will be lost", awaits: "MISSION_ACK" }});
-      deeds.say("reached 1", 2); deeds.wait(3.9); deeds.wait(4.1);
-      deeds.add({{ at: 10, words: "the cable is pulled" }}); deeds.add({{ at: 12, words: "the Mega is restarted" }});
+def test_a_frame_that_is_to_be_lost_is_waited_for_over_other_events_and_each_event_has_its_end(folder):
+    restarted, pulled, told = logged(folder, f"""
+      log.add({{ at: 1, words: "the next MISSION_ACK will be lost", awaits: "MISSION_ACK" }});
+      log.say("reached 1", 2); log.wait(3.9); log.wait(4.1);
+      log.add({{ at: 10, words: "the cable is pulled" }}); log.add({{ at: 12, words: "the Mega is restarted" }});
       {heard(("<", "MISSION_REQUEST 0", "lost", False, 12.5), (">", "COMMAND_LONG", "", False, 13.0))};
       {heard(("<", "MISSION_ACK ACCEPTED", "lost", False, 30.0), (">", "MISSION_ITEM_INT 3", "", True, 31.5))};
-      deeds.say("aboard", 32)""")  # fmt: skip
+      log.say("aboard", 32)""")  # fmt: skip
     assert told == ("1.0 s: the next MISSION_ACK will be lost. +3.10 s: none has come yet: “Restart the Mega” lets the "
                     "sketch begin anew. +29.00 s: lost: MISSION_ACK ACCEPTED. +30.50 s: the Mega sends again "
                     "MISSION_ITEM_INT 3. +31.00 s: the sketch says “aboard”.")  # fmt: skip
@@ -106,8 +106,8 @@ def test_a_frame_that_is_to_be_lost_is_waited_for_over_other_deeds_and_each_deed
 
 def test_what_the_mega_sends_into_a_pulled_cable_is_its_answer_and_what_happens_much_later_is_none(folder):
     sent = [(">", "MISSION_COUNT 5 items", "cut", turn > 0, 1.5 + 1.5 * turn) for turn in range(2)]
-    (told,) = deeds(folder, f"""deeds.add({{ at: 1, words: "the cable is pulled" }});
-      {heard(*sent)}; deeds.wait(4.5); deeds.say("landed", 20)""")  # fmt: skip
+    (told,) = logged(folder, f"""log.add({{ at: 1, words: "the cable is pulled" }});
+      {heard(*sent)}; log.wait(4.5); log.say("landed", 20)""")  # fmt: skip
     assert told == ("1.0 s: the cable is pulled. +0.50 s: the Mega sends MISSION_COUNT 5 items, which is lost. "
                     "+2.00 s: the Mega sends again MISSION_COUNT 5 items, which is lost.")  # fmt: skip
 

@@ -9,7 +9,7 @@ import pytest
 from building import ROOT
 from planning import read_plan
 from planning.header import header_of
-from playing.inside.far_end import plan_of
+from playing.inside.autopilot_end import plan_of
 
 FARM = json.loads((ROOT / "docs" / "farm.plan").read_text())
 PLAIN = {name: value for name, value in FARM.items() if name not in ("geoFence", "rallyPoints")}

@@ -1,6 +1,6 @@
-// The Mega's worker: runs it at real time, in slices, in step with the far end of its line.
+// The Mega's worker: runs it at real time, in slices, in step with the autopilot's end of its line.
 //
-// Slice by slice the Mega's bytes go to the far end's worker, and what that answers to slice k arrives at the Mega with
+// Slice by slice the Mega's bytes go to Python's worker, and what that answers to slice k arrives at the Mega with
 // slice k + 2: so both work at once, and what happens depends on simulated time alone, however fast the computer is.
 
 import { HZ, Mega } from "./mega.js";
@@ -15,7 +15,7 @@ const CONSOLE = 0, TELEM = 1;
 
 let mega = null;
 let run = 0; // the number of this run: messages of an earlier run are ignored
-let far = null; // the port to the far end
+let autopilot = null; // the port to its end of the line
 let slice = 0;
 let answers = new Map(); // by slice
 let pace = 1; // of simulated time beside the clock; 0: paused
@@ -59,8 +59,8 @@ function start({ hex, pass, card, port, number }) {
   stop();
   run = number;
   mega = new Mega(hex, pass, card);
-  far = port;
-  far.onmessage = ({ data: answer }) => {
+  autopilot = port;
+  autopilot.onmessage = ({ data: answer }) => {
     answers.set(answer.slice, answer.bytes);
     if (answer.isFrame && isStepping) isStepping = false;
     go();
@@ -77,8 +77,8 @@ function start({ hex, pass, card, port, number }) {
 
 function stop() {
   clearTimeout(timer);
-  if (far) far.close();
-  far = null;
+  if (autopilot) autopilot.close();
+  autopilot = null;
   mega = null;
 }
 
@@ -103,7 +103,7 @@ function fail(error) {
   postMessage({ says: "crashed", run, why: error.message });
 }
 
-// Run until simulated time is abreast of the clock, or until the far end must answer first.
+// Run until simulated time is abreast of the clock, or until the autopilot's end must answer first.
 function go() {
   if (!mega) return;
   clearTimeout(timer);
@@ -142,7 +142,7 @@ function runSlice(due) {
   if (toType.length && console.isListening) console.send(toType.splice(0));
   mega.run((slice + 1) * SLICE_S * HZ);
   const sent = telem.takeSent();
-  far.postMessage({
+  autopilot.postMessage({
     slice,
     now: (slice + 1) * SLICE_S,
     bytes: Uint8Array.from(sent, (one) => one.byte),

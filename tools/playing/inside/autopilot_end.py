@@ -1,4 +1,4 @@
-"""The far end of the Mega's line as the page's worker runs it: the wire, the autopilot behind it, and what to show.
+"""The autopilot's end of the Mega's line as the page's worker runs it: the wire, the autopilot, and what to show.
 
 JavaScript calls it in simulated time, slice by slice: step() takes the bytes that the Mega has sent and gives those
 that arrive there; news() says in JSON what there is to show. It draws nothing and knows no page.
@@ -38,7 +38,7 @@ UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
 VEHICLE_EVERY_S = 0.1
 SILENCE_S = 3.0  # of an autopilot that is restarted
 NEXT = {">": "the Mega", "<": "the autopilot"}
-DEEDS = {"pilot": pilot_turns_the_switch, "lands": pilot_lands, "battery": battery_is_low,
+INTERFERENCES = {"pilot": pilot_turns_the_switch, "lands": pilot_lands, "battery": battery_is_low,
          "station": other_station_uploads, "order": station_orders}  # fmt: skip
 # What a message of tools/plan says of its own options, which the page has not.
 OPTION = re.compile(r"[,;] (or say )?--[a-z].*$")
@@ -108,7 +108,7 @@ class Outside:
         return data
 
 
-class FarEnd:
+class AutopilotEnd:
     """One run: from the Mega's power-on."""
 
     def __init__(self, settings: str) -> None:
@@ -202,9 +202,9 @@ class FarEnd:
         self._note_event(f"from now on all takes {milliseconds:g} ms longer")
 
     def interfere(self, who: str) -> None:
-        """Somebody else has a hand in it, by its name in DEEDS."""
+        """Somebody else has a hand in it, by its name in INTERFERENCES."""
         if self.name != "outside":
-            self._note_event(DEEDS[who](self.autopilot, self._now))
+            self._note_event(INTERFERENCES[who](self.autopilot, self._now))
 
     def mega_restarts(self) -> None:
         self.forget_talk()

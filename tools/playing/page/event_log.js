@@ -1,13 +1,13 @@
-// What was done to the run, and what came of it, in words: each deed, and behind it what the Mega and its sketch did.
+// What was done to the run, and what came of it, in words: each event, and after it what the Mega and its sketch did.
 
 const WAITS_S = 3; // before it is said that nothing came of it
 const LASTS_S = 12; // what happens later has other reasons
-const MOST_FRAMES = 5; // of them that are told for a deed
+const MOST_FRAMES = 5; // of them that are told for an event
 const MOST_LINES = 3; // of the sketch's
-const MOST_DEEDS = 12;
+const MOST_EVENTS = 12;
 const PROGRESS = /^\d+(\/\d+)?$/; // a line that is no result
 
-export class Deeds {
+export class EventLog {
   constructor(list) {
     this.list = list;
     this.forget();
@@ -15,7 +15,7 @@ export class Deeds {
 
   forget() {
     this.latest = null; // to which what is heard and said belongs
-    this.awaiting = []; // deeds whose frame has not come yet
+    this.awaiting = []; // events whose frame has not come yet
     this.list.replaceChildren();
   }
 
@@ -25,12 +25,12 @@ export class Deeds {
     const line = document.createElement("li");
     line.textContent = `${at.toFixed(1)} s: ${words}.`;
     this.list.prepend(line);
-    while (this.list.children.length > MOST_DEEDS) this.list.lastChild.remove();
+    while (this.list.children.length > MOST_EVENTS) this.list.lastChild.remove();
     this.latest = { at, since: at, line, frames: 0, lines: 0, types: new Set(), isAnswered: false, awaits };
     if (awaits) this.awaiting.push(this.latest);
   }
 
-  // The latest deed is followed by another one, and keeps its line: also where nothing has come of it.
+  // The latest event is followed by another one, and keeps its line: also where nothing has come of it.
   end(at) {
     const { latest } = this;
     if (!latest || latest.isAnswered || latest.awaits) return;
@@ -50,14 +50,14 @@ export class Deeds {
     }
   }
 
-  // What comes of a loss belongs to the deed that has waited for it, whatever was done since.
+  // What comes of a loss belongs to the event that has waited for it, whatever was done since.
   lose(at, way, text) {
     const isIt = (awaits) => awaits === way || (way === "<" && text.startsWith(awaits));
-    const deed = this.awaiting.find((one) => one.at <= at && isIt(one.awaits));
-    if (!deed) return;
-    this.awaiting.splice(this.awaiting.indexOf(deed), 1);
-    if (deed !== this.latest) this.end(at);
-    this.latest = Object.assign(deed, { awaits: "", since: at, frames: 0, types: new Set(), isAnswered: false });
+    const event = this.awaiting.find((one) => one.at <= at && isIt(one.awaits));
+    if (!event) return;
+    this.awaiting.splice(this.awaiting.indexOf(event), 1);
+    if (event !== this.latest) this.end(at);
+    this.latest = Object.assign(event, { awaits: "", since: at, frames: 0, types: new Set(), isAnswered: false });
   }
 
   // Of many items the first is told, and each that is sent again or lost.
@@ -81,11 +81,11 @@ export class Deeds {
   }
 
   wait(now) {
-    for (const deed of new Set([...this.awaiting, this.latest])) {
-      if (!deed || deed.isAnswered || now < deed.since + WAITS_S) continue;
-      deed.isAnswered = true;
-      this.tell(now, deed.awaits ? "none has come yet: “Restart the Mega” lets the sketch begin anew"
-        : "the Mega has had nothing to do about it", deed);
+    for (const event of new Set([...this.awaiting, this.latest])) {
+      if (!event || event.isAnswered || now < event.since + WAITS_S) continue;
+      event.isAnswered = true;
+      this.tell(now, event.awaits ? "none has come yet: “Restart the Mega” lets the sketch begin anew"
+        : "the Mega has had nothing to do about it", event);
     }
   }
 
@@ -100,7 +100,7 @@ export class Deeds {
     return true;
   }
 
-  tell(at, words, deed = this.latest) {
-    deed.line.append(` +${Math.max(0, at - deed.at).toFixed(2)} s: ${words}.`);
+  tell(at, words, event = this.latest) {
+    event.line.append(` +${Math.max(0, at - event.at).toFixed(2)} s: ${words}.`);
   }
 }

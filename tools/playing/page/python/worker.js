@@ -1,4 +1,4 @@
-// The far end's worker: Python, in it the project's own autopilot and wire, stepped by the Mega's worker.
+// Python's worker: the autopilot's end of the line, the project's own autopilot and wire, stepped by the Mega's worker.
 
 import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
 import { countFetched } from "./counted.js";
@@ -7,7 +7,7 @@ import { hearing } from "./hearing.js";
 const NEWS_EVERY_MS = 60;
 
 let python = null;
-let farEnd = null;
+let autopilotEnd = null;
 let mega = null; // the port to the Mega's worker
 let run = 0;
 let now = 0;
@@ -41,7 +41,7 @@ async function load() {
   postMessage({ says: "loading", what: "the autopilot" });
   python.registerJsModule("hearing", { exports: await parser });
   python.unpackArchive(await world, "zip", { extractDir: "/world" });
-  python.runPython("import sys; sys.path.insert(0, '/world'); import inside.far_end");
+  python.runPython("import sys; sys.path.insert(0, '/world'); import inside.autopilot_end");
   const ends = JSON.parse(python.FS.readFile("/world/ends.json", { encoding: "utf8" }));
   postMessage({ says: "ready", ms: performance.now() - begun, ends });
 }
@@ -53,9 +53,9 @@ function start({ settings, port, number }) {
   run = number;
   now = 0;
   isOutside = settings.autopilot === "outside";
-  const module = python.pyimport("inside.far_end");
+  const module = python.pyimport("inside.autopilot_end");
   shown = 0;
-  farEnd = module.FarEnd(JSON.stringify(settings));
+  autopilotEnd = module.AutopilotEnd(JSON.stringify(settings));
   module.destroy();
   mega = port;
   mega.onmessage = ({ data: heard }) => step(heard);
@@ -63,22 +63,22 @@ function start({ settings, port, number }) {
 
 function stop() {
   if (mega) mega.close();
-  if (farEnd) farEnd.destroy();
+  if (autopilotEnd) autopilotEnd.destroy();
   mega = null;
-  farEnd = null;
+  autopilotEnd = null;
 }
 
 function step({ slice, now: until, bytes, left, baud }) {
-  if (!farEnd) return;
+  if (!autopilotEnd) return;
   now = until;
   try {
     const data = python.toPy(bytes);
     const times = python.toPy(left);
-    const answer = farEnd.step(until, data, times, baud);
+    const answer = autopilotEnd.step(until, data, times, baud);
     const arriving = answer.toJs();
     for (const used of [data, times, answer]) used.destroy();
     const shownBefore = shown;
-    shown = farEnd.shown_crossed;
+    shown = autopilotEnd.shown_crossed;
     mega.postMessage({ slice, bytes: arriving, isFrame: shown > shownBefore }, [arriving.buffer]);
     if (isOutside) giveOutside();
     tell();
@@ -89,7 +89,7 @@ function step({ slice, now: until, bytes, left, baud }) {
 }
 
 function giveOutside() {
-  const given = farEnd.take_for_outside();
+  const given = autopilotEnd.take_for_outside();
   const bytes = given.toJs();
   given.destroy();
   if (bytes.length) postMessage({ says: "outside", run, bytes }, [bytes.buffer]);
@@ -106,65 +106,67 @@ function tell() {
     return;
   }
   newsAt = performance.now();
-  if (!farEnd) return;
-  const news = farEnd.news();
+  if (!autopilotEnd) return;
+  const news = autopilotEnd.news();
   if (news) postMessage({ says: "news", run, now, news: JSON.parse(news) });
 }
 
 function lose({ frames, bytes }) {
-  farEnd?.lose(frames, bytes);
+  autopilotEnd?.lose(frames, bytes);
 }
 
 function cable({ joined }) {
-  farEnd?.cable(joined);
+  autopilotEnd?.cable(joined);
   tellAtOnce();
 }
 
 function loseNext({ name }) {
-  farEnd?.lose_next(name);
+  autopilotEnd?.lose_next(name);
   tellAtOnce();
 }
 
 function latency({ milliseconds }) {
-  farEnd?.latency(milliseconds);
+  autopilotEnd?.latency(milliseconds);
   tellAtOnce();
 }
 
 function interfere({ who }) {
-  farEnd?.interfere(who);
+  autopilotEnd?.interfere(who);
   tellAtOnce();
 }
 
 function restart() {
-  farEnd?.restart(now);
+  autopilotEnd?.restart(now);
   tellAtOnce();
 }
 
 function forget() {
-  farEnd?.mega_restarts();
+  autopilotEnd?.mega_restarts();
   tellAtOnce();
 }
 
-// A deed is told of though the Mega may be paused.
+// An event is told of though the Mega may be paused.
 function tellAtOnce() {
   newsAt = 0;
   tell();
 }
 
 function judge({ meant }) {
-  if (farEnd) postMessage({ says: "judged", run, verdict: JSON.parse(farEnd.verdict(JSON.stringify(meant))) });
+  if (!autopilotEnd) return;
+  const verdict = autopilotEnd.verdict(JSON.stringify(meant));
+  postMessage({ says: "judged", run, verdict: JSON.parse(verdict) });
 }
 
 function outside({ bytes }) {
-  if (!farEnd || !isOutside) return;
+  if (!autopilotEnd || !isOutside) return;
   const data = python.toPy(bytes);
-  farEnd.hear_outside(data);
+  autopilotEnd.hear_outside(data);
   data.destroy();
 }
 
 // A plan file that was dropped onto the page.
 function read({ name, bytes, word }) {
-  const module = python.pyimport("inside.far_end");
+  const module = python.pyimport("inside.autopilot_end");
   const data = python.toPy(new Uint8Array(bytes));
   try {
     postMessage({ says: "read", name, word, plan: JSON.parse(module.plan_of(name, data)) });
