@@ -24,7 +24,7 @@ void ClientOnLine::run(uint32_t ms, uint32_t step) {
     if (returned.empty() || returned.back() != status) returned.push_back(status);
     if (status != mavmission::Status::Idle && !client.isBusy()) ended = status;
     if (isEnd(status)) ends.push_back(status);
-    note(line.takeWritten());
+    if (!line.written.empty()) note(line.takeWritten());
   }
 }
 

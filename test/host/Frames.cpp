@@ -31,10 +31,11 @@ Bytes packed(const FrameParts& parts) {
              static_cast<uint8_t>(parts.messageId >> 8),
              static_cast<uint8_t>(parts.messageId >> 16)};
   }
-  frame = frame + parts.payload;
   uint16_t crc = mavmission::detail::kChecksumStart;
-  for (size_t i = 1; i < frame.size(); ++i) crc = mavmission::detail::checksum(crc, &frame[i], 1);
+  crc = mavmission::detail::checksum(crc, &frame[1], static_cast<uint8_t>(frame.size() - 1));
+  crc = mavmission::detail::checksum(crc, parts.payload.data(), length);
   crc = mavmission::detail::checksum(crc, &parts.crcExtra, 1);
+  frame.insert(frame.end(), parts.payload.begin(), parts.payload.end());
   frame.push_back(static_cast<uint8_t>(crc));
   frame.push_back(static_cast<uint8_t>(crc >> 8));
   if (parts.incompatibility & 1) frame.resize(frame.size() + 13, 0x5A);
@@ -74,7 +75,7 @@ FrameIn frameAt(const Bytes& bytes, size_t at) {
 std::vector<FrameIn> FrameCutter::take(const Bytes& bytes) {
   std::vector<FrameIn> found;
   const size_t before = unread_.size();
-  unread_ = unread_ + bytes;
+  unread_.insert(unread_.end(), bytes.begin(), bytes.end());
   size_t at = 0;
   for (; at < unread_.size(); ++at) {
     if (unread_[at] == 0) continue;
@@ -85,7 +86,7 @@ std::vector<FrameIn> FrameCutter::take(const Bytes& bytes) {
     frame.bytes.assign(begin, begin + static_cast<long>(frame.size));
     at += frame.size - 1;
     frame.end = at + 1 - before;
-    found.push_back(frame);
+    found.push_back(std::move(frame));
   }
   unread_.erase(unread_.begin(), unread_.begin() + static_cast<long>(at));
   return found;
