@@ -22,11 +22,9 @@ Autopilot::Autopilot(Kind which, uint8_t system, Witness& witness, uint32_t firs
       systemId(system),
       mode(modeOf(which, which == Kind::Px4 ? Means::Hold : Means::First)),
       witness_(witness) {
-  streams_[MAVLINK_MSG_ID_HEARTBEAT] = {kHeartbeatMs, firstBeatMs};
-  if (isPx4()) {
-    streams_[MAVLINK_MSG_ID_MISSION_CURRENT] = {kHeartbeatMs, firstBeatMs + 420};
-  }
-  if (which != Kind::Rover) streams_[MAVLINK_MSG_ID_ATTITUDE] = {200, firstBeatMs + 57};
+  setStream(MAVLINK_MSG_ID_HEARTBEAT, kHeartbeatMs, firstBeatMs);
+  if (isPx4()) setStream(MAVLINK_MSG_ID_MISSION_CURRENT, kHeartbeatMs, firstBeatMs + 420);
+  if (which != Kind::Rover) setStream(MAVLINK_MSG_ID_ATTITUDE, 200, firstBeatMs + 57);
 }
 
 // --- Changes
@@ -117,7 +115,10 @@ void Autopilot::hearCommand(const mavlink_command_long_t& given, bool isInt, uin
       break;
     case MAV_CMD_SET_MESSAGE_INTERVAL:
       result = isPx4() && id == MAVLINK_MSG_ID_MISSION_CURRENT ? MAV_RESULT_FAILED : MAV_RESULT_ACCEPTED;
-      if (result == MAV_RESULT_ACCEPTED) setStream(id, static_cast<uint32_t>(given.param2) / 1000, nowMs);
+      if (result == MAV_RESULT_ACCEPTED) {
+        const uint32_t everyMs = static_cast<uint32_t>(given.param2) / 1000;
+        setStream(id, everyMs, nowMs + everyMs);
+      }
       break;
     case MAV_CMD_DO_SET_MODE:
       result = orderMode(
@@ -139,8 +140,14 @@ void Autopilot::send(const FrameParts& message, uint32_t atMs) {
   sending_.insert(std::upper_bound(sending_.begin(), sending_.end(), sending, later), sending);
 }
 
-void Autopilot::setStream(uint32_t id, uint32_t everyMs, uint32_t nowMs) {
-  if (streams_.count(id) == 0 || streams_[id].first != everyMs) streams_[id] = {everyMs, nowMs + everyMs};
+void Autopilot::setStream(uint32_t id, uint32_t everyMs, uint32_t nextMs) {
+  const auto isBefore = [](const Stream& one, uint32_t other) { return one.id < other; };
+  const auto at = std::lower_bound(streams_.begin(), streams_.end(), id, isBefore);
+  if (at == streams_.end() || at->id != id) {
+    streams_.insert(at, Stream{id, everyMs, nextMs});
+  } else if (at->everyMs != everyMs) {
+    *at = Stream{id, everyMs, nextMs};
+  }
 }
 
 FrameParts Autopilot::composed(uint32_t id) const {
@@ -191,8 +198,8 @@ std::vector<FrameParts> Autopilot::takeSent() {
 uint32_t Autopilot::nextMs() const {
   uint32_t next = movedMs_ + kMoveMs;
   if (!sending_.empty()) next = std::min(next, sending_.front().atMs);
-  for (const auto& stream : streams_) {
-    if (stream.second.first != 0) next = std::min(next, stream.second.second);
+  for (const Stream& stream : streams_) {
+    if (stream.everyMs != 0) next = std::min(next, stream.nextMs);
   }
   return next;
 }
@@ -223,9 +230,9 @@ void Autopilot::pass(uint32_t nowMs) {
     sending_.erase(sending_.begin());
     sent_.push_back(message.payload.empty() ? composed(message.messageId) : message);
   }
-  for (auto& stream : streams_) {
-    if (stream.second.first == 0 || stream.second.second > nowMs) continue;
-    stream.second.second += stream.second.first;
-    sent_.push_back(composed(stream.first));
+  for (Stream& stream : streams_) {
+    if (stream.everyMs == 0 || stream.nextMs > nowMs) continue;
+    stream.nextMs += stream.everyMs;
+    sent_.push_back(composed(stream.id));
   }
 }

@@ -2,7 +2,6 @@
 // does what recordings and sources of the real ones show; what the flights do not need is left out.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "Modes.h"
@@ -77,12 +76,16 @@ class Autopilot {
   void send(const FrameParts& message, uint32_t atMs);
   // Sends a message that is filled in at the moment at which it leaves.
   void sendFresh(uint32_t id, uint32_t atMs) { send(FrameParts(id, Bytes()), atMs); }
-  void setStream(uint32_t id, uint32_t everyMs, uint32_t nowMs);
+  void setStream(uint32_t id, uint32_t everyMs, uint32_t nextMs);
   uint16_t firstItem() const { return isPx4() ? 0 : 1; }
 
   struct Sending {
     uint32_t atMs;
     FrameParts message;
+  };
+  // A message that is sent again and again; never, where the interval is 0.
+  struct Stream {
+    uint32_t id, everyMs, nextMs;
   };
   FrameParts composed(uint32_t id) const;
   void hearCommand(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs);
@@ -102,7 +105,7 @@ class Autopilot {
   Witness& witness_;
   std::vector<Sending> sending_;
   std::vector<FrameParts> sent_;
-  std::map<uint32_t, std::pair<uint32_t, uint32_t>> streams_;  // by id: the interval and the next time [ms]
+  std::vector<Stream> streams_;  // in the order of their ids
   uint32_t movedMs_ = 0;
   uint32_t landedMs_ = 0;
   bool isReceiving_ = false;

@@ -28,6 +28,7 @@ class Line {
     Due due = {nowMs, static_cast<uint32_t>(freeUs_ / 1000) + kOnTheWayMs, Bytes(), message, vehicle, isRight};
     const bool isLost = loseNext_ != 0;
     if (isLost) --loseNext_;
+    due.bytes.reserve(bytes.size());
     for (uint8_t byte : bytes) {
       const bool isByteLost = loss_ > 0 && static_cast<double>(random_()) < loss_ * static_cast<double>(random_.max());
       if (isLost || isByteLost) {
@@ -38,7 +39,7 @@ class Line {
     }
     // (Without its last byte alone, a frame may take the first byte of the next one for it.)
     if (!due.isWhole && !due.bytes.empty() && due.bytes.size() + 1 == bytes.size()) due.bytes.pop_back();
-    due_.push_back(due);
+    due_.push_back(std::move(due));
   }
   // Sends the beginning of a frame; the rest of it comes with send().
   void occupy(size_t bytes, uint32_t nowMs) {
@@ -57,7 +58,7 @@ class Line {
   bool isDue(uint32_t nowMs) const { return !due_.empty() && due_.front().dueMs <= nowMs; }
   uint32_t nextMs() const { return due_.empty() ? 0xFFFFFFFFu : due_.front().dueMs; }
   Due take() {
-    Due due = due_.front();
+    Due due = std::move(due_.front());
     due_.pop_front();
     if (due.dueMs < cutUntilMs_) {
       due.bytes.clear();

@@ -235,17 +235,18 @@ void Referee::judge(const FrameParts& message, bool isArming, bool isOrder) {
   const uint16_t command = messageIn<mavlink_command_long_t>(message.payload).command;
   const bool isQuestion = message.messageId == MAVLINK_MSG_ID_COMMAND_LONG &&
                           (command == MAV_CMD_REQUEST_MESSAGE || command == MAV_CMD_SET_MESSAGE_INTERVAL);
-  const std::string what =
-      "message " + std::to_string(message.messageId) + " (" + std::to_string(command) + ") leaves ";
-  if (!hasBegun_ && !(isNamed_ && isQuestion)) return breaks(what + "to an aircraft for which nothing was begun");
+  const auto leaves = [&](const char* how) {
+    breaks("message " + std::to_string(message.messageId) + " (" + std::to_string(command) + ") leaves " + how);
+  };
+  if (!hasBegun_ && !(isNamed_ && isQuestion)) return leaves("to an aircraft for which nothing was begun");
   const bool isTarget = message.messageId == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
   if (isOrder && cameMs_ < (isTarget ? stoodBlindMs_ : stoodStillMs_))
-    breaks(what + "with no heartbeat since loop() stood still");
+    leaves("with no heartbeat since loop() stood still");
   const bool isSteered = isStart(task_) || (task_ >= Task::TakeOff && task_ <= Task::Follow);
   if (isOrder && isSteered && isShownArmed_ && !wasShownDisarmed_)
-    breaks(what + "to an aircraft that was armed when it was named");
-  if (isArming && isDisarmedShown_) breaks(what + "behind a heartbeat that shows it disarmed by somebody");
-  if (isArming && isKept_) breaks(what + "though somebody has taken the aircraft");
+    leaves("to an aircraft that was armed when it was named");
+  if (isArming && isDisarmedShown_) leaves("behind a heartbeat that shows it disarmed by somebody");
+  if (isArming && isKept_) leaves("though somebody has taken the aircraft");
 }
 
 bool Referee::leaves(const FrameParts& message) {
