@@ -35,8 +35,7 @@ class Hasher {
   }
 
   Hash of(const World& world) const {
-    uint64_t words[kWords];
-    memcpy(words, &world, sizeof(World));
+    const Word* const words = reinterpret_cast<const Word*>(&world);
     Wide one = 0, other = 0;
     for (size_t i = 0; i + 1 < kWords; i += 2) {
       one += static_cast<Wide>(words[i] + keys_[i]) * (words[i + 1] + keys_[i + 1]);
@@ -55,7 +54,9 @@ class Hasher {
                  static_cast<uint64_t>(sum >> 64) ^ 0x589965CC75374CC3u);
   }
 
-  static_assert(sizeof(World) % 8 == 0, "hashed by 8 bytes");
+  typedef uint64_t Word __attribute__((may_alias));
+
+  static_assert(sizeof(World) % sizeof(Word) == 0 && alignof(World) == sizeof(Word), "hashed by 8 bytes");
   static constexpr size_t kWords = sizeof(World) / 8;
   uint64_t keys_[kWords + 3];
 };
@@ -136,7 +137,10 @@ class Explorer {
     for (std::vector<World> nearest; !waiting_.empty() && known_.size() <= mostStates_;) {
       nearest.swap(waiting_);
       waiting_.clear();
-      for (const World& next : nearest) expand(next);
+      for (const World& next : nearest) {
+        expand(next);
+        if (findings_.violations != 0) return findings_;
+      }
     }
     findings_.isWhole = waiting_.empty();
     findings_.states = known_.size();
@@ -194,8 +198,7 @@ class Explorer {
   }
 
   void fail(const char* broken, uint32_t at, int move = -1) {
-    ++findings_.violations;
-    if (findings_.violations != 1) return;
+    if (findings_.violations++ != 0) return;
     findings_.broken = broken;
     findings_.trace = traceTo(at, move);
   }
@@ -300,9 +303,10 @@ Findings findBySeeds(uint32_t seed, unsigned count,
   for (; count != 0; --count, ++seed) {
     const char* const broken = run(seed, &findings, nullptr);
     if (broken == nullptr) continue;
-    if (++findings.violations != 1) continue;
+    findings.violations = 1;
     run(seed, nullptr, &findings.trace);
     findings.broken = std::string(broken) + " (--seed " + std::to_string(seed) + ")";
+    break;
   }
   return findings;
 }

@@ -1,5 +1,5 @@
-// Every world that a scenario can come to: breadth first, so that what breaks a rule is reached by the fewest steps. A
-// world is known again by 128 bits of hash of its bytes.
+// Every world that a scenario can come to: breadth first, so that what breaks a rule is reached by the fewest steps;
+// the first rule that is broken ends it. A world is known again by 128 bits of hash of its bytes.
 #pragma once
 
 #include <functional>
@@ -24,8 +24,8 @@ struct Findings {
 
 Findings explore(const Scenario& scenario, uint64_t mostStates);
 
-// What is drawn by each of these seeds. `run`: null, or the rule that it breaks; it notes what it has found, or tells
-// it in words, where the one or the other is not null.
+// What is drawn by each of these seeds, until a rule is broken. `run`: null, or the rule that it breaks; it notes what
+// it has found, or tells it in words, where the one or the other is not null.
 Findings findBySeeds(uint32_t seed, unsigned count,
                      const std::function<const char*(uint32_t, Findings*, std::string*)>& run);
 

@@ -30,15 +30,19 @@ const char kErased[] = "erased";
 
 typedef std::vector<uint8_t> Plan;  // the numbers of its items in Plans.h, without home
 
-// The line of a .waypoints file.
-std::string lineOf(uint8_t item, size_t number) {
+// The line of a .waypoints file, behind the number of the item.
+const std::string& fieldsOf(uint8_t item) {
+  static std::string made[256];
+  if (!made[item].empty()) return made[item];
   mavlink_mission_item_int_t place;
   memcpy(&place, payloadOf(item, 0, kMission, Firmwares::Px4, false).data(), sizeof(place));
-  char line[80];
-  snprintf(line, sizeof(line), "%u\t0\t3\t16\t0\t0\t0\tnan\t-%d.%07d\t%d.%07d\t20\t1", static_cast<unsigned>(number),
-           -place.x / 10000000, -place.x % 10000000, place.y / 10000000, place.y % 10000000);
-  return line;
+  char fields[80];
+  snprintf(fields, sizeof(fields), "\t0\t3\t16\t0\t0\t0\tnan\t-%d.%07d\t%d.%07d\t20\t1", -place.x / 10000000,
+           -place.x % 10000000, place.y / 10000000, place.y % 10000000);
+  return made[item] = fields;
 }
+
+std::string lineOf(uint8_t item, size_t number) { return std::to_string(number) + fieldsOf(item); }
 
 std::vector<std::string> fileOf(const Plan& plan) {
   std::vector<std::string> lines = {kHeader, kHomeLine};

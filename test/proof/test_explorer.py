@@ -180,6 +180,12 @@ ONE_IN = 14
 PARTS = pytest.mark.parametrize("part", ["sample", pytest.param("rest", marks=pytest.mark.thorough)])
 
 
+def seeds(few: int, all_of_them: int):
+    """From which one on, and how many: in tools/test these few, with --all the others, too."""
+    rest = pytest.param(few + 1, all_of_them - few, marks=pytest.mark.thorough)
+    return pytest.mark.parametrize(("first", "count"), [(1, few), rest])
+
+
 def of_part(part: str, scenarios: list[tuple[str, str]]) -> list[tuple[str, str]]:
     return [one for number, one in enumerate(scenarios) if (number % ONE_IN == 0) == (part == "sample")]
 
@@ -304,25 +310,25 @@ def test_no_operation_is_misled_by_a_frame_that_the_line_brings_once_more(record
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("walks", [WALKS, pytest.param(ALL_WALKS, marks=pytest.mark.thorough)])
-def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(walks):
+@seeds(WALKS, ALL_WALKS)
+def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(first, count):
     """Three operations one behind the other, by item and by file, beside copies, losses, reboots and cancels."""
     for autopilot in AUTOPILOTS:
-        found = explore(f"{autopilot} walks {walks}")
+        found = explore(f"{autopilot} walks {count} --seed {first}")
         assert found["violations"] == "0", found["broken"]
-        assert int(found["operations"]) > 2.9 * walks  # some have more copies on their way than the line has places
+        assert int(found["operations"]) > 2.9 * count  # some have more copies on their way than the line has places
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("sessions", [SESSIONS, pytest.param(ALL_SESSIONS, marks=pytest.mark.thorough)])
-def test_a_console_that_is_typed_at_does_what_complete_lines_say_and_says_what_is_true(sessions):
+@seeds(SESSIONS, ALL_SESSIONS)
+def test_a_console_that_is_typed_at_does_what_complete_lines_say_and_says_what_is_true(first, count):
     """Files, commands and what resembles them, whole and spoilt, pasted and typed while operations run."""
     operations = 0
     for autopilot in AUTOPILOTS:
-        found = explore(f"{autopilot} typed {sessions}")
+        found = explore(f"{autopilot} typed {count} --seed {first}")
         assert found["violations"] == "0", found["broken"]
         operations += int(found["operations"])
-    assert operations > 44 * sessions
+    assert operations > 44 * count
 
 
 @pytest.mark.slow
