@@ -111,8 +111,7 @@ void vary(FlightPlan& plan, uint32_t number) {
 
 void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
   const std::vector<Act> always = plan.acts;
-  const Flown clean = fly(plan, nullptr);
-  findings.note(plan);
+  const Flown clean = findings.note(plan);
   unsigned number = 0;
   for (const Kinds& kind : kSingle) {
     if (!isOfUse(plan, kind.what)) continue;
