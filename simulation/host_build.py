@@ -44,6 +44,8 @@ UNITS = HOST / "units"
 UNITS_COMPILER = "clang++"
 LONG_RUNNING = (UNITS / "float_bits.cpp",)
 PIECES = OUTPUT / "units"  # several units each: units_together()
+# What they have in common with programs that are without doctest, and run millions of times through it.
+SHARED = tuple(HOST / f"{name}.cpp" for name in ("ClientOnLine", "Frames", "Names", "PlanFrames"))
 MAIN = UNITS / "main.cpp"
 UNITS_INCLUDE = ("<doctest/doctest.h>", "<algorithm>", "<map>", "<string>", "<vector>")
 UNIT_IN_PIECE = re.compile(r'^namespace .*\n#include "(.*)"$', re.M)
@@ -115,10 +117,14 @@ def command_for(source: Path, compiler: str, told: Sequence[str]) -> list[str]:
 
     The units are clang++'s in each of this computer's: it takes two thirds of the time of g++ for them.
     """
-    is_unit = source.parent in (UNITS, PIECES)
-    compiler = UNITS_COMPILER if is_unit and compiler in COMPILERS else compiler
-    unit = [*FAST_ASSERTS, *([] if source in LONG_RUNNING else AS_IT_IS)] if is_unit else []
+    compiler = UNITS_COMPILER if is_of_units(source) and compiler in COMPILERS else compiler
+    unit = [*FAST_ASSERTS, *([] if source in LONG_RUNNING else AS_IT_IS)] if is_of_units(source) else []
     return [compiler, "-c", *STANDARD, *told, *unit]
+
+
+def is_of_units(source: Path) -> bool:
+    """Whether it is one, several in one, or what only units have in common."""
+    return source.parent in (UNITS, PIECES) or (source.parent == HOST and source not in SHARED)
 
 
 def units_together(units: Sequence[Path], most: int = 26) -> list[Path]:
@@ -159,7 +165,7 @@ def quickened(source: Path, command: Sequence[str]) -> list[str]:
     """The command for a source, with MAVLink's headers precompiled, for a unit with what all units include beside."""
     if source.suffix != ".cpp" or source in (MAIN, *LONG_RUNNING):
         return [*command]
-    more = UNITS_INCLUDE if source.parent in (UNITS, PIECES) else ()
+    more = UNITS_INCLUDE if is_of_units(source) else ()
     return [*command, *with_mavlink(command, compiler_version(command[0]), *more)]
 
 

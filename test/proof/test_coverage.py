@@ -19,7 +19,18 @@ import pytest
 
 from mutating.programs import in_pieces
 from simulation.firmware import LIBRARY, ROOT, library_sources
-from simulation.host_build import FAST, HOST, MAIN, PLACES, SHIM, UNITS, build_objects, compiler_version
+from simulation.host_build import (
+    FAST,
+    HOST,
+    MAIN,
+    PLACES,
+    SHARED,
+    SHIM,
+    UNITS,
+    build_objects,
+    compiler_version,
+    units_together,
+)
 from simulation.precompiled import with_mavlink
 from simulation.recorded_for_units import environment
 from simulation.together import together
@@ -53,13 +64,14 @@ PROGRAMS = (
 def branches(folder: Path) -> dict[str, tuple[int, int]]:
     """Folder of src/mavmission -> how many of its branches were taken, and how many there are. Works in `folder`."""
     library = counted_objects(folder, together(library_sources()))
-    frames = build_objects([*sorted(HOST.glob("*.cpp")), SHIM / "Arduino.cpp"], "g++", FAST)
+    units = [*units_together(sorted(UNITS.glob("*.cpp"))), *sorted(set(HOST.glob("*.cpp")) - {*SHARED})]
+    shared = build_objects([*SHARED, SHIM / "Arduino.cpp"], "g++", FAST)
     for place, own_flags, runs in PROGRAMS:
         program = folder / f"{place.name}.program"
-        sources = sorted(place.glob("*.cpp"))
-        objects = build_objects(sources if place == UNITS else in_pieces(sources), "g++", FAST, own_flags)
+        sources = units if place == UNITS else in_pieces(sorted(place.glob("*.cpp")))
+        objects = build_objects(sources, "g++", FAST, own_flags)
         # The library first: of a function in a header, which each has, the linker takes the one that is counted.
-        subprocess.run(["g++", "--coverage", *library, *objects, *frames, "-o", program], check=True)
+        subprocess.run(["g++", "--coverage", *library, *objects, *shared, "-o", program], check=True)
         for words in runs:
             places = environment(folder / "uploads")
             subprocess.run([program, *words.split()], check=True, capture_output=True, env=places)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from simulation import host_build
 from simulation.firmware import LIBRARY, ROOT, digest, exclusive, library_sources
-from simulation.host_build import FAST, HOST, PLACES, SANITIZED, SHIM, UNITS, WARNINGS
+from simulation.host_build import FAST, HOST, PLACES, SANITIZED, SHARED, SHIM, UNITS, WARNINGS
 from simulation.recorded_for_units import environment
 from simulation.together import as_one
 
@@ -165,8 +165,7 @@ def in_pieces(sources: Sequence[Path]) -> list[Path]:
 
 def sources_of(folder: Path) -> list[Path]:
     """The explorer or the flights, with what they share with the units."""
-    shared = ("ClientOnLine.cpp", "Frames.cpp", "PlanFrames.cpp")
-    return [*in_pieces(sorted(folder.glob("*.cpp"))), *(HOST / name for name in shared)]
+    return [*in_pieces(sorted(folder.glob("*.cpp"))), *SHARED]
 
 
 def is_taken_where_needed(source: Path) -> bool:
