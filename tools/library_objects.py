@@ -6,7 +6,8 @@ those of the first sketch are kept, and put into the build folder of the next. T
 decides, file by file, whether they will do.
 
 It also looks for what each file of the library includes, unless its list of an earlier build begins as this one does:
-with what the sketch includes. So that list is kept for each set of includes that a sketch has had.
+with the header of the library that the sketch includes first. So that list is lent with the sketch's own header in it;
+a sketch that is a .cpp has another list.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from pathlib import Path
 LENT = ("libraries/MavMission", "core", "includes.cache")
 MOST_KEPT = 16  # sets, of some 2 MB each
 # For what differs between two sketches in the files that name their own place.
-OUT, SKETCH, UNIT = "@the build folder@", "@the sketch@", "@its unit@"
+OUT, SKETCH, UNIT, HEADER = "@the build folder@", "@the sketch@", "@its unit@", "@its header@"
 LISTS = "includes"
 
 
@@ -45,10 +46,10 @@ class LibraryObjects:
         os.utime(self._kept)
         for name in LENT:
             copy(self._kept / name, out / name)
-        known = self._kept / LISTS / includes_of(sketch)
+        known = self._kept / LISTS / kind_of(sketch)
         if known.exists():
             shutil.copy2(known, out / "includes.cache")
-        rename(out, {SKETCH: unit_of(out, sketch), UNIT: own_unit(out, sketch), OUT: str(out)})
+        rename(out, {new: old for old, new in names_of(out, sketch).items()})
         # Without these the builder takes the folder for another sketch's, and empties it.
         recorded = json.loads((self._kept / "build.options.json").read_text())
         (out / "build.options.json").write_text(json.dumps({**recorded, **options}, indent=2))
@@ -64,8 +65,8 @@ class LibraryObjects:
         fresh = Path(tempfile.mkdtemp(dir=self._folder, prefix="new-"))
         for name in (*LENT, "build.options.json"):
             copy(out / name, fresh / name)
-        rename(fresh, {unit_of(out, sketch): SKETCH, own_unit(out, sketch): UNIT, str(out): OUT})
-        copy(fresh / "includes.cache", fresh / LISTS / includes_of(sketch))
+        rename(fresh, names_of(out, sketch))
+        copy(fresh / "includes.cache", fresh / LISTS / kind_of(sketch))
         try:
             fresh.rename(self._kept)
         except OSError:  # another worker was first
@@ -73,11 +74,11 @@ class LibraryObjects:
         self._forget_old()
 
     def _keep_list(self, out: Path, sketch: Path) -> None:
-        known = self._kept / LISTS / includes_of(sketch)
+        known = self._kept / LISTS / kind_of(sketch)
         if known.exists():
             return
         text = (out / "includes.cache").read_text()
-        for old, new in {unit_of(out, sketch): SKETCH, own_unit(out, sketch): UNIT, str(out): OUT}.items():
+        for old, new in names_of(out, sketch).items():
             text = text.replace(old, new)
         fresh = known.with_suffix(f".{os.getpid()}")
         fresh.write_text(text)
@@ -89,27 +90,30 @@ class LibraryObjects:
             shutil.rmtree(old, ignore_errors=True)
 
 
-def unit_of(out: Path, sketch: Path) -> str:
-    """What the builder makes of a sketch's .ino."""
-    return str(out / "sketch" / f"{sketch.name}.ino.cpp")
+def names_of(out: Path, sketch: Path) -> dict[str, str]:
+    """What names the sketch and its build folder, and what stands for it in what is kept."""
+    source = out / "sketch" / sketch.name
+    header = f'"Include": "{header_of(sketch)}"'
+    return {f"{source}.ino.cpp": SKETCH, f"{source}_unit.cpp": UNIT, str(out): OUT, header: HEADER}
 
 
-def own_unit(out: Path, sketch: Path) -> str:
-    """What is made around a sketch that is a .cpp."""
-    return str(out / "sketch" / f"{sketch.name}_unit.cpp")
+def kind_of(sketch: Path) -> str:
+    """Whether it is made around a .cpp."""
+    return "cpp" if around(sketch) else "ino"
 
 
-def includes_of(sketch: Path) -> str:
-    """A name of what a sketch includes, of the .cpp that it is made around too."""
-    lines: list[str] = []
-    for file in sorted(sketch.rglob("*")) if sketch.is_dir() else []:
-        if file.suffix in (".ino", ".h", ".cpp"):
-            text = file.read_text()
-            around = re.search(r'^#include "(/.*)"$', text, re.M)
-            lines += [file.suffix, *re.findall(r"^ *# *include *<.*?>", text, re.M)]
-            if around:
-                lines += re.findall(r"^ *# *include *<.*?>", Path(around[1]).read_text(), re.M)
-    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
+def around(sketch: Path) -> list[Path]:
+    """The .cpp that a sketch is made around."""
+    units = [sketch / f"{sketch.name}_unit.cpp"]
+    return [Path(re.findall('"(.*)"', unit.read_text())[0]) for unit in units if unit.exists()]
+
+
+def header_of(sketch: Path) -> str:
+    """The library's header that it includes first."""
+    files = around(sketch) or sorted(sketch.rglob("*.ino"))
+    text = "\n".join(file.read_text() for file in files)
+    found = re.search(r"^ *# *include *<(MavMission\w*\.h)>", text, re.M)
+    return found[1] if found else "MavMission.h"
 
 
 def copy(source: Path, target: Path) -> None:
