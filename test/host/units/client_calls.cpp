@@ -8,7 +8,7 @@ using namespace mavmission;
 
 namespace {
 
-constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), changeSpeed(5_mps), returnToLaunch()};
 const MissionItem kFence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
 const MissionItem kRally[] = {rallyPoint(-35.36_deg, 149.16_deg, 20_m)};
@@ -174,11 +174,6 @@ TEST_CASE("what is cancelled is told to the autopilot with its type, as soon as 
   }
 }
 
-TEST_CASE("what was cancelled before anything left is cancelled without a word, and what follows begins at once") {
-  Conversation desk(kArduPilot, kPlan);
-  CHECK(desk.plays("verify, cancel, upload unread, cancel, clear, 10 ms") == "-> Cancelled (NotKnown), CLEAR");
-}
-
 TEST_CASE("a command between does not shorten the wait for late answers to what was cancelled, and delays nothing") {
   Conversation desk(kArduPilot, kPlan), other(kArduPilot, kPlan);
   desk.plays("upload unread, until COUNT, asks 0-1, cancel");
@@ -221,14 +216,6 @@ TEST_CASE("a new client has nothing to tell") {
   CHECK((desk.client.update() == Status::Idle));
 }
 
-TEST_CASE(
-    "of a cancelling and a refusal in one loop() update() returns the first, and the call has returned the other") {
-  Conversation desk(kArduPilot, kPlan);
-  desk.plays("upload, cancel");
-  CHECK((desk.client.upload(inRam(kPlan), PlanType::All) == Status::BadPlanType));
-  CHECK(desk.plays("5 ms") == "-> Cancelled (NotKnown)");
-}
-
 TEST_CASE("what is begun and cancelled after an end in one update() is returned by the next, beside onEnd()") {
   Conversation desk(kArduPilot);
   MissionFollower follower(desk.client);
@@ -255,25 +242,6 @@ TEST_CASE("each operation begins with nothing of the one before") {
   desk.plays("clear");
   CHECK((desk.client.differingField() == ItemField::None));
   CHECK(desk.client.itemsTotal() == 0);
-}
-
-TEST_CASE("after a read-back that was cancelled a download tells its progress") {
-  Conversation desk(kPx4, kPlan);
-  desk.isAbout(inRam(kPlan, 1)).plays("upload always, until COUNT, asks 0");
-  CHECK(desk.plays("accepted, cancel, 5 ms") == "LIST, ACK cancelled, -> Cancelled (NotKnown)");
-  CHECK(desk.plays("download, until LIST, count 2, item 0") == "LIST, REQUEST 0-1");
-  CHECK(desk.client.itemsDone() == 1);
-}
-
-TEST_CASE("after an upload with back-offs the next operation has its whole time") {
-  Conversation desk(kArduPilot, kPlan);
-  desk.client.retryWhenBusy(60);
-  desk.client.setOperationTimeout(5);
-  const std::string denied = "until COUNT 9 s, denied, ";
-  desk.plays("upload unread, " + denied + denied + denied + "until COUNT 9 s, cancel");
-  CHECK(desk.plays("verify, until LIST 3 s | 1 s") == "ACK cancelled, -> Cancelled (NotKnown), LIST |");
-  desk.pass(1000);
-  CHECK(desk.client.isBusy());
 }
 
 TEST_CASE("the limit of an operation is met to two milliseconds") {

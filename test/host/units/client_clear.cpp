@@ -93,16 +93,6 @@ TEST_CASE("neither the answer to another type nor another message ends a clear")
   CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
 
-TEST_CASE("what comes before MISSION_CLEAR_ALL has left is no answer to it") {
-  Conversation desk(kArduPilot, 65000, 0);
-  CHECK(desk.plays("clear, 500 ms, accepted") == "");  // the autopilot is not settled yet
-  CHECK((desk.client.status() == Status::WaitingForAutopilot));
-  CHECK(desk.plays("11 s") == "CLEAR x5, -> NoAnswer (NotKnown)");
-  desk.line.room = 0;
-  CHECK(desk.plays("2100 ms, clear, 20 ms, denied") == "");  // its repeats can be answered no more
-  CHECK((desk.client.status() == Status::Transferring));
-}
-
 TEST_CASE("the plans of an armed autopilot are cleared only where the sketch allows it") {
   Conversation desk(kArduPilot, kPlan), allowed(kArduPilot, kPlan);
   allowed.client.allowWhileArmed(true);

@@ -76,10 +76,3 @@ TEST_CASE("no other refusal is answered by the other form, and what is refused i
   CHECK(answered(asInt, "long only", "answer 2500 long only, 2 s") ==
         "LONG 2500 1.5 2.5 3.5 4.5 1 1 7.5, -> CommandLongOnly (NotKnown)");
 }
-
-TEST_CASE("what must not be carried out twice is sent once in the other form too") {
-  CHECK(answered(flightCommand(183, 0, 0, 0, 0, 1, 1), "int only", "10 s") ==
-        "INT 183 frame 2 at 1 1 0, -> Unconfirmed (NotKnown)");
-  CHECK(answered(flightCommand(2500, 0, 0, 0, 0, 1, 1), "int only", "10 s") ==
-        "INT 2500 frame 2 at 1 1 0 x5, -> NoAnswer (NotKnown)");
-}

@@ -57,14 +57,6 @@ TEST_CASE("a command without a place is a COMMAND_LONG with all its parameters, 
         "INT 2500 frame 3 1 2 3 4 at -353632621 1491652374 20 | -> Done (NotKnown)");
 }
 
-TEST_CASE("a command that is not answered leaves every 1.5 s, five times, and says how often") {
-  Ordering desk;
-  CHECK(desk.plays("send, until LONG, clock, 7400 ms | 200 ms") ==
-        "LONG 531 1 @0, LONG 531 1 #1 @1500, LONG 531 1 #2 @3000, LONG 531 1 #3 @4500, LONG 531 1 #4 @6000 | "
-        "-> NoAnswer (NotKnown) @7500");
-  CHECK(desk.plays("send, 10 ms") == "LONG 531 1");  // it has been given up: the same may leave again at once
-}
-
 TEST_CASE("what must not be carried out twice is sent once, and again only where the sketch wants that") {
   const auto ends = [](const FlightCommand& command, CommandRepeat repeat) {
     Conversation desk(kPx4);
@@ -126,13 +118,6 @@ TEST_CASE("after a command that took long, and was repeated, the same one waits 
   desk.plays("send, until LONG, until LONG 1600 ms");
   for (int i = 0; i < 6; ++i) desk.plays("answer 531 in progress, 4 s");
   CHECK(desk.plays("answer 531 accepted | send, 1500 ms") == "-> Done (NotKnown) |");
-}
-
-TEST_CASE("after a command that was answered at once the same one leaves at once, and not after a cancelled one") {
-  CHECK(Ordering().plays("send, 10 ms, answer 531 accepted | send, 10 ms, answer 531 accepted") ==
-        "LONG 531 1, -> Done (NotKnown) | LONG 531 1, -> Done (NotKnown)");
-  CHECK(Ordering().plays("send, 10 ms, cancel, 5 ms | send, 1400 ms | until LONG 200 ms") ==
-        "LONG 531 1, -> Cancelled (NotKnown) | | LONG 531 1");
 }
 
 TEST_CASE("what an operation without commands has left does not delay a command for longer than an answer takes") {

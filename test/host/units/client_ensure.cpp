@@ -50,15 +50,6 @@ TEST_CASE("what was known to be aboard is not known from the question on whether
   CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
 
-TEST_CASE("a plan that is read and found is aboard, and all its items are done") {
-  Conversation desk(kOther, kPlan);
-  desk.plays("ensure, until LIST, count");
-  CHECK(desk.client.itemsDone() == 0);
-  CHECK(desk.plays("items") == "REQUEST 1, -> AlreadyAboard (OurPlan), ACK accepted");
-  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
-  CHECK(desk.client.itemsDone() == 2);
-}
-
 TEST_CASE("an item that differs begins the upload, and is forgotten then") {
   Conversation desk(kOther, kPlan);
   desk.held[1].x ^= 1;

@@ -7,7 +7,7 @@ using namespace mavmission;
 
 namespace {
 
-constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4;
+constexpr uint8_t kArduPilot = Conversation::kArduPilot;
 const MissionItem kCircles[] = {
     fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m), fenceInsideCircle(-35.36_deg, 149.17_deg, 100_m),
     fenceInsideCircle(-35.37_deg, 149.16_deg, 100_m), fenceInsideCircle(-35.37_deg, 149.17_deg, 100_m)};
@@ -73,12 +73,6 @@ TEST_CASE(
   CHECK(desk.plays("300 ms, cancel, 5 ms") == "-> Cancelled (NotKnown)");
 }
 
-TEST_CASE("an empty fence and a short plan of another type are not doubted") {
-  CHECK(Fencing(0).said == "-> Accepted (OurPlan)");
-  CHECK(Conversation(kArduPilot, kRally, PlanType::Rally).plays("8 s, upload, until COUNT, asks 0, accepted") ==
-        "COUNT 1 of rally, ITEM 0 of rally, -> Accepted (OurPlan)");
-}
-
 TEST_CASE("an empty fence is accepted after one that lacked a corner, and ensure() of a fence looks for it") {
   const MissionItem corner = anyCommandAt(kFencePolygonInclusion, -35_deg, 149_deg, aboveSeaLevel(0_m), 3);
   const MissionItem unclosed[] = {corner, corner};
@@ -121,23 +115,4 @@ TEST_CASE(
   CHECK(desk.plays("count 0, 100 ms") == "-> Armed (NotKnown)");
   CHECK(allowed.plays("count 0, 100 ms") == "COUNT 2 of fence");
   CHECK((allowed.client.aboard(PlanType::Fence) == Aboard::NotKnown));
-}
-
-TEST_CASE("what is not the number of the fence's items does not begin its second upload") {
-  Fencing desk(2);
-  CHECK(desk.plays("count 0, 100 ms | until LIST, count 0 of mission, accepted") == "| LIST of fence");  // too early
-  CHECK(desk.plays("count, count 0 | items") ==  // the second is late
-        "REQUEST 0 of fence | REQUEST 1 of fence, -> Accepted (OurPlan), ACK accepted of fence");
-}
-
-TEST_CASE("where short fences are not wiped, a fence that is gone is another plan") {
-  Fencing desk(2, kPx4);
-  desk.plays("until LIST");
-  CHECK(desk.plays("count 0, 100 ms") == "-> Differs in Count (NotKnown), ACK cancelled of fence");
-}
-
-TEST_CASE("a short fence that is cancelled while it settles is cancelled without a word, and in its reading with one") {
-  CHECK(Fencing(2).plays("cancel, 5 ms") == "-> Cancelled (NotKnown)");
-  CHECK(Fencing(2).plays("until LIST, cancel, 5 ms") ==
-        "LIST of fence, ACK cancelled of fence, -> Cancelled (NotKnown)");
 }

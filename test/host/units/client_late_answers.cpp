@@ -35,26 +35,12 @@ TEST_CASE("what follows an upload that has repeated its last item is not ended b
   }
 }
 
-TEST_CASE("what follows an upload that has repeated nothing waits until a copy of its last message has been answered") {
-  for (const std::string answer :
-       {"accepted", "error"}) {  // what a copy of the last item draws from PX4, and from ArduPilot
-    CHECK(Sent().plays("accepted, clear, 347 ms, " + answer + ", 25 ms | 45 ms") == "-> Accepted (OurPlan) | CLEAR");
-  }
-}
-
 TEST_CASE("after an upload in which a frame came twice it also waits for the copy of that answer") {
   CHECK(Sent().plays("accepted, clear, 700 ms") == "-> Accepted (OurPlan), CLEAR");
   CHECK(Sent().plays("twice, accepted, clear, 700 ms | 200 ms") == "-> Accepted (OurPlan) | CLEAR");
   Conversation before(kArduPilot, kPlan);
   before.plays("8100 ms, twice, beat, upload unread, until COUNT, asks all");
   CHECK(before.plays("accepted, clear, 700 ms") == "-> Accepted (OurPlan), CLEAR");
-}
-
-TEST_CASE("the acceptance of an upload that was cancelled is not that of the next one") {
-  Sent desk;
-  desk.plays("cancel, 2 ms");
-  CHECK(desk.isAbout(emptyPlan()).plays("upload unread, 700 ms, accepted, 50 ms") == "");
-  CHECK(desk.plays("until COUNT 1500 ms, accepted") == "COUNT 0, -> Unconfirmed (NotKnown)");  // it looks the same
 }
 
 TEST_CASE("ArduPilot gives up an upload that was left open, and the clear or the reading goes on") {

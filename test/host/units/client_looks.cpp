@@ -68,13 +68,6 @@ TEST_CASE("any other autopilot's plan is read, without progress, and its end is 
   CHECK(desk.plays("cancel, 5 ms") == "ACK cancelled, -> Cancelled (NotKnown)");
 }
 
-TEST_CASE("after a download a look compares, and what comes as floats as well") {
-  CHECK(Looking(kOther, "download, 5 ms, cancel, 3 s, ensure").plays("count, items") ==
-        "REQUEST 0-1, -> AlreadyAboard (OurPlan), ACK accepted");
-  CHECK(Looking(kOther).plays("count, float item 0, float item 1") ==
-        "REQUEST 0-1, -> AlreadyAboard (OurPlan), ACK accepted");
-}
-
 TEST_CASE("an armed autopilot with our plan is fine, and with another one it is left alone, whatever is allowed") {
   for (const bool isAllowed : {true, false}) {
     Looking ours(kOther, "armed, ensure"), other(kOther, "armed, ensure");

@@ -123,16 +123,6 @@ TEST_CASE("a mission that was accepted without a name is not told from another o
   CHECK(desk.shown(0, 0xFFFF, MISSION_STATE_NO_MISSION) == "OurPlan");
 }
 
-TEST_CASE("the name of a fence is not the mission's") {
-  Named desk(kPx4, kName);
-  desk.uploadFence();
-  CHECK(desk.shown(kName) == "OurPlan");
-  CHECK(desk.shown(kOtherName) == "OtherPlan");
-  CHECK(desk.plays("verify, until LIST, count named " + std::to_string(kOtherName) + ", items") ==
-        "LIST of fence, REQUEST 0 of fence, -> Verified (OurPlan), ACK accepted of fence");
-  CHECK(desk.shownOnce(kName) == "OurPlan");
-}
-
 TEST_CASE("what was not known to be ours is not somebody else's by its name, nor ours") {
   Named desk(kPx4, kName);
   desk.plays("upload unread, until COUNT");
@@ -176,14 +166,6 @@ TEST_CASE("a mission that PX4 rejects in words after its acceptance is infeasibl
   CHECK(desk.refusal() == "Infeasible");
   desk.upload();
   CHECK(desk.refusal() != "Infeasible");
-}
-
-TEST_CASE("a mission that PX4 names and does not have is infeasible when it says so twice") {
-  Named desk(kPx4);
-  desk.shown(desk.name, 2, MISSION_STATE_NO_MISSION, 1);
-  CHECK(desk.told.empty());
-  desk.shown(desk.name, 2, MISSION_STATE_NO_MISSION, 1);
-  CHECK(desk.told == std::vector<Status>{Status::Infeasible});
 }
 
 TEST_CASE("beside an operation that transfers, an infeasible mission is not told, and it ends a command") {

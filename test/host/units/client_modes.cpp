@@ -8,7 +8,7 @@ using namespace mavmission;
 namespace {
 
 constexpr uint8_t kArduPilot = Conversation::kArduPilot, kPx4 = Conversation::kPx4, kOther = Conversation::kOther;
-constexpr uint8_t kPlaneType = 1, kCopterType = 2, kRocketType = 9, kQuadPlaneType = 20;  // HEARTBEAT.type
+constexpr uint8_t kCopterType = 2, kRocketType = 9, kQuadPlaneType = 20;  // HEARTBEAT.type
 constexpr uint32_t kStabilize = 0, kLoiter = 5, kGuided = 4;
 constexpr uint32_t kPlaneAuto = 10, kPlaneRtl = 11, kPlaneGuided = 15, kPlaneQRtl = 21;
 constexpr uint32_t kPx4Position = 3ul << 16, kPx4Hold = 4ul << 16 | 3ul << 24;
@@ -71,14 +71,6 @@ TEST_CASE("an ArduPilot that does not say that it is a plane is asked once which
     desk.beatsWhenAsked = true;
     CHECK(desk.sets(FlightMode::Hold).plays("50 ms") == vehicle.hold);
   }
-}
-
-TEST_CASE("neither PX4 nor a plane that says so is asked which vehicle it is") {
-  Ordering px4(kPx4, kCopterType, kPx4Position), plane(kArduPilot, kPlaneType);
-  CHECK(px4.sets(FlightMode::Hold).plays("50 ms") == "LONG 176 1 4 3");
-  px4.mode = kPx4Hold;
-  CHECK(px4.plays("1 s") == "-> Done (NotKnown)");
-  CHECK(plane.sets(FlightMode::Guided).plays("50 ms") == "LONG 176 1 15");
 }
 
 TEST_CASE("another answer to that question, or none, is the end") {
@@ -168,17 +160,6 @@ TEST_CASE("on a lossy link, an order that was accepted is not sent again before 
   };
   CHECK(behind("1400 ms") == "LONG 176 1 4 | LONG 176 1 4 #1, LONG 176 1 4 #2, LONG 176 1 4 #3");
   CHECK(behind("answer 176 accepted, 1395 ms") == "LONG 176 1 4 |");
-}
-
-TEST_CASE("a mode that flies already is not ordered") {
-  CHECK(Ordering(kArduPilot, kCopterType, kGuided).sets(kGuided).plays("1500 ms") == "-> Done (NotKnown)");
-}
-
-TEST_CASE("an order leaves right after a heartbeat, which is asked for, and again 100 ms later") {
-  Ordering desk;
-  CHECK(desk.quiet().sets(kGuided).plays("until BEAT?, clock, 350 ms") == "BEAT? @0 100 200 300");
-  desk.hear(heartbeatParts(kArduPilot));
-  CHECK(desk.plays("3 ms") == "LONG 176 1 4");
 }
 
 TEST_CASE("a mode that somebody else sets before the order leaves stays") {

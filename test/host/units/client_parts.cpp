@@ -62,18 +62,6 @@ TEST_CASE("a part that is not within its plan is refused, and there is no plan f
   CHECK(px4.plays("100 ms") == "-> WholePlansOnly (NotKnown)");
 }
 
-TEST_CASE("uploadAgain() uploads the whole plan, after a part, a download of another type and a clear, too") {
-  Conversation desk(kArduPilot, kPlan);
-  desk.pass(8000);
-  desk.client.uploadPartial(inRam(kPlan), 1, 2);
-  desk.plays("until PART, cancel");
-  desk.type = PlanType::Fence;
-  desk.plays("download, until LIST, cancel");
-  desk.type = PlanType::All;
-  desk.plays("clear, until CLEAR, cancel, 5 ms");
-  CHECK(desk.plays("again, until COUNT") == "COUNT 5");
-}
-
 TEST_CASE("an autopilot that may be old, and refuses the first item as unsupported, gets all items as floats") {
   Floats desk(kOther, kPlan);
   CHECK(desk.plays("upload unread, until COUNT, asks 0 | unsupported, 20 ms | ask 0 | ask 1") ==

@@ -44,52 +44,12 @@ TEST_CASE("with Readback::Always an accepted plan is read back, and only then is
   }
 }
 
-TEST_CASE("where the acceptance proves the plan nothing is read back") {
-  for (const uint8_t autopilot : {kArduPilot, kPx4}) {
-    for (const uint32_t startMs : {0, 65000}) {
-      CHECK(Proving(autopilot, "upload", startMs).plays("accepted, clear, until CLEAR 1 s") ==
-            "-> Accepted (OurPlan), CLEAR");
-    }
-  }
-}
-
-TEST_CASE("on a lossy link, the repeats in a read-back do not wait for what the longer items of before took") {
-  Proving desk(kArduPilot, "upload always");
-  desk.line.room = 60;  // the stream is busy with the last item
-  desk.pass(40);
-  desk.line.room = desk.line.kAlwaysRoom;
-  desk.plays("broken");
-  desk.hear(ackParts(0));
-  CHECK(desk.plays("until LIST 50 ms, until LIST 60 ms") == "LIST x2");
-}
-
-TEST_CASE("an empty plan that is accepted after a reset, or after another one, is proven by how many are aboard") {
-  for (const std::string before : {"", "clear, 5 ms, cancel, "}) {
-    for (const bool isAboard : {false, true}) {
-      Conversation desk(kPx4, before.empty() ? 0 : 65000);
-      desk.plays(before + "upload, until COUNT");
-      CHECK(desk.plays(isAboard ? "accepted, count 2" : "accepted, count 0") ==
-            (isAboard ? "LIST, -> Differs in Count (NotKnown), ACK cancelled"
-                      : "LIST, -> Accepted (OurPlan), ACK accepted"));
-    }
-  }
-}
-
 TEST_CASE("an upload that nobody confirms is read back, and what follows waits for late answers") {
   Proving desk(kArduPilot);
   desk.plays("until LIST");
   CHECK(desk.plays("count, items") == "REQUEST 0-2, -> Accepted (OurPlan), ACK accepted");
   // The next one waits, and nothing that comes after its COUNT is from before.
   CHECK(desk.plays("upload, 1 s | until COUNT 2 s, cancelled") == "| COUNT 3, -> CancelledByAutopilot (AsBefore)");
-}
-
-TEST_CASE("while a plan is read back it is not known what is aboard, also where ours was") {
-  Proving desk(kArduPilot);
-  CHECK(desk.plays("accepted") == "-> Accepted (OurPlan)");
-  desk.plays("upload always, until COUNT");
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
-  desk.plays("asks all, accepted");
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
 
 TEST_CASE("in a read-back a height, and what it counts from, must be those of the plan") {
@@ -114,11 +74,6 @@ TEST_CASE("on a lossy link, an acceptance is checked, unless PX4 has named the c
     CHECK(desk.plays("accepted") == "-> Accepted (OurPlan)");
   }
   CHECK(Proving(kPx4, "broken, upload").plays("accepted named ours") == "-> Accepted (OurPlan)");
-}
-
-TEST_CASE("after a reset PX4's acceptance of an item that was repeated is checked") {
-  CHECK(Proving(kPx4, "upload", 0).plays("until ITEM, accepted") == "ITEM 1, LIST");
-  CHECK(Proving(kPx4).plays("until ITEM, accepted") == "ITEM 1, -> Accepted (OurPlan)");
 }
 
 TEST_CASE("an error after the last item may be none, which the plan that is aboard shows") {
@@ -203,12 +158,6 @@ TEST_CASE("PX4's checksum of its plan proves an upload in doubt without its item
         "ITEM 1 x5, LIST | -> Accepted (OurPlan), ACK accepted");
   // With Readback::Always its items are read all the same.
   CHECK(Proving(kPx4, "upload always").plays("accepted | count named ours") == "LIST | REQUEST 0");
-}
-
-TEST_CASE("items that come as floats prove nothing") {
-  Proving desk(kPx4, "verify, 5 ms, cancel, 3 s, upload always");  // what is verified takes the late answers
-  desk.plays("accepted, count");
-  CHECK(desk.plays("float item 0, item 0, float item 1 | item 1") == "REQUEST 1 | -> Accepted (OurPlan), ACK accepted");
 }
 
 TEST_CASE("a server whose ways are not known begins anew on a lossy link, when it has given the upload up") {

@@ -63,15 +63,6 @@ TEST_CASE("each item is sent as the plan has it, and the number of items before"
   }
 }
 
-TEST_CASE("a long plan is announced with all its items, and an item of a fence is one of a fence") {
-  Counted counted = {0, 100000};
-  Conversation desk(kPx4);
-  desk.plan = counted.source(700);
-  CHECK(desk.plays("upload unread, until COUNT, cancel, 5 ms") == "COUNT 700, ACK cancelled, -> Cancelled (AsBefore)");
-  desk.isAbout(inRam(kFence), PlanType::Fence);
-  CHECK(desk.plays("upload unread, until COUNT | asks 0") == "COUNT 1 of fence | ITEM 0 of fence");
-}
-
 TEST_CASE("progress is told as the autopilot asks on, and the last item is done when all is accepted") {
   for (const uint8_t autopilot : {kArduPilot, kPx4}) {
     const bool hasHome = autopilot == kArduPilot;
@@ -304,13 +295,6 @@ TEST_CASE("an autopilot that is lost while the plan is checked is waited for, an
   CHECK(desk.plays("silence, 6 s, free, 1 s") == "");
   CHECK((desk.client.status() == Status::WaitingForAutopilot));
   CHECK(desk.plays("heartbeats, until COUNT 3 s") == "COUNT 3");
-}
-
-TEST_CASE("after a reset a refusal of COUNT may answer what was before: it is believed in the end") {
-  Conversation later(kArduPilot, kPlan), reset(kArduPilot, kPlan, PlanType::Mission, 0);
-  CHECK(later.plays("upload unread, until COUNT, cancelled") == "COUNT 4, -> CancelledByAutopilot (AsBefore)");
-  CHECK(reset.plays("upload unread, until COUNT, cancelled | 8 s") ==
-        "COUNT 4 | COUNT 4 x4, -> CancelledByAutopilot (NotKnown)");
 }
 
 TEST_CASE("after an upload that ended well, or with a refusal, nothing is waited for, and after another one it is") {

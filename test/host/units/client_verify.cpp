@@ -48,13 +48,6 @@ TEST_CASE("a plan is verified item by item, and is ours then") {
   }
 }
 
-TEST_CASE("REQUEST_LIST leaves in the update() that follows, and tells its target and type alone") {
-  Conversation desk(kPx4, kPlan, PlanType::Rally);
-  CHECK(desk.plays("verify, 1 ms") == "LIST of rally");
-  const Bytes& payload = desk.sent.back().payload;
-  CHECK(Bytes(payload.begin(), payload.begin() + 3) == Bytes{1, 1, 2});
-}
-
 TEST_CASE("an item is asked for by its number, however large, and by nothing else") {
   Conversation desk(kPx4);
   desk.isAbout(fromFunction(readTheSame, 700));

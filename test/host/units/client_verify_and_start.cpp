@@ -73,12 +73,6 @@ TEST_CASE("an ArduPilot's plan is looked at, started, and looked at once more") 
   }
 }
 
-TEST_CASE("items that come as floats are compared in both looks") {
-  Sketch sketch;
-  sketch.givesFloats = true;
-  CHECK(sketch.flyIntoSecondLook().ends(3000) == "-> Done, OurPlan");
-}
-
 TEST_CASE("a plan that is not ours is not started") {
   Sketch sketch;
   sketch.held[2] = returnToLaunch();

@@ -126,10 +126,6 @@ TEST_CASE("after a command that was sent twice the same one waits for the second
   }
 }
 
-TEST_CASE("late answers are waited for from the first answer on, not from the last attempt") {
-  CHECK(Log().plays("mode leaves, mode leaves, wait 700, ended 2, wait 500, ended 5, when mode") == "1100");
-}
-
 TEST_CASE("the next operation waits for late answers, and only for those") {
   CHECK(Log().plays(answered("mode", 2) + "next operation, answer to mode, when mode, next much later, when mode") ==
         "ignored, 1600, 0");

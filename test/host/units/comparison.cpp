@@ -331,15 +331,6 @@ TEST_CASE("-0 is kept as 0 where a whole number is") {
   CHECK((difference(read, sent, kCopter) == ItemField::Param1));
 }
 
-TEST_CASE("the radius of turns is whole metres to 255, and tens to 2550") {
-  for (int metres = 0; metres <= 2700; ++metres) {
-    const bool expected = metres <= 255 || (metres <= 2550 && metres % 10 == 0);
-    CAPTURE(metres);
-    CHECK(isKept(kCopter, 18, 2, bitsOfFloat(static_cast<float>(metres))) == expected);
-    CHECK(isKept(kCopter, 18, 2, bitsOfFloat(static_cast<float>(-metres))) == expected);
-  }
-}
-
 TEST_CASE("turns are whole to 255, and below 1 in 256ths") {
   for (int turns = 0; turns <= 300; ++turns)
     CHECK(isKept(kCopter, 18, 0, bitsOfFloat(static_cast<float>(turns))) == (turns <= 255));

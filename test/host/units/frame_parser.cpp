@@ -256,20 +256,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("each bit that is wrong in a frame of the service makes it none") {
-  const Bytes good = request(4);
-  for (size_t byte = 0; byte < good.size(); ++byte) {
-    for (int bit = 0; bit < 8; ++bit) {
-      CAPTURE(byte);
-      CAPTURE(bit);
-      CHECK(wantedIn(with(byte, good[byte] ^ 1u << bit, good) + request(5)) == "request 5");
-    }
-  }
-  FrameParts otherEdition = requestParts(4);
-  otherEdition.crcExtra = 195;
-  CHECK(wantedIn(packed(otherEdition) + request(5)) == "request 5");
-}
-
 TEST_CASE("what is given up is told as nothing, and counted once") {
   FrameParts flagged = requestParts(4), tooLong = requestParts(4);
   flagged.incompatibility = 2;
@@ -295,12 +281,6 @@ TEST_CASE("a message that carries bytes of others is told once, after its end, a
   // A carrier with an id of more than 16 bits is none.
   CHECK(wantedIn(telemetry() + packed(FrameParts(0x10000 + kTunnel, inner, 0)) + request(1)) ==
         "request 66, request 1");
-}
-
-TEST_CASE("an id of more than 16 bits is not that of a wanted message") {
-  FrameParts parts = requestParts(4);
-  parts.messageId = 0x10000 + 51;
-  CHECK(told(packed(parts) + request(5)) == "other, request 5");
 }
 
 TEST_CASE("a stepped-over frame after which none begins is counted as broken, once") {
@@ -330,26 +310,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("two frames are found after each number of lost bytes at each position of a telemetry frame") {
-  const Bytes before = telemetry(28, 0x33);
-  for (size_t count = 1; count < before.size(); ++count) {
-    for (size_t from = 0; from + count <= before.size(); ++from) {
-      CAPTURE(count);
-      CAPTURE(from);
-      CHECK(behind(without(before, from, count)) == kBoth);
-    }
-  }
-}
-
-TEST_CASE("a frame after or inside one with a damaged length is found, however long that says to be") {
-  for (unsigned length = 0; length <= 255; ++length) {
-    CAPTURE(length);
-    CHECK(wantedIn(with(1, length, telemetry(28, 0x33)) + request(1) + telemetry() + request(2) + telemetry() +
-                   request(3)) == "request 1, request 2, request 3");
-    if (length != 5) CHECK(behind(with(1, length, request(9))) == kBoth);
-  }
-}
-
 TEST_CASE("a frame of any sequence, version and length that begins inside one with a damaged length is found") {
   const Bytes damaged = with(1, 255, telemetry(28, 0x33));
   const auto found = [&damaged](const FrameParts& parts) {
@@ -369,25 +329,6 @@ TEST_CASE("a frame of any sequence, version and length that begins inside one wi
     parts.payload.resize(length, 0x11);
     CAPTURE(length);
     CHECK(found(parts) == "request 7, request 2");
-  }
-}
-
-TEST_CASE("a frame is found after bytes that begin like one, at the end of a telemetry frame") {
-  // Each tail of a header, complete with the bytes of the real frame after it, could swallow that frame's first bytes.
-  const Bytes heads[] = {{0xFD, 0xFF, 0, 0, 0x36, 1, 1, 0x6A, 0, 0}, {0xFE, 0xFF, 0x36, 1, 1, 0x1E}};
-  for (const Bytes& head : heads) {
-    for (size_t shown = 1; shown < head.size(); ++shown) {
-      CAPTURE(shown);
-      CHECK(behind(telemetryAround(Bytes(20, 0x11) + part(head, 0, shown))) == kBoth);
-    }
-    // The same with the checksum among the bytes that deceive.
-    const Bytes deceiving = telemetry(20, 0x11);
-    for (size_t fromEnd : {1, 2}) CHECK(behind(with(deceiving.size() - fromEnd, head[0], deceiving)) == kBoth);
-  }
-  // A wanted header that is only data, across the end of the frame.
-  for (unsigned length = 0; length <= MAVMISSION_MAX_PAYLOAD; ++length) {
-    CAPTURE(length);
-    CHECK(behind(telemetryAround(Bytes(20, 0x11) + with(1, length, {0xFD, 0, 0, 0, 0, 1, 1, 51, 0, 0}))) == kBoth);
   }
 }
 
@@ -426,19 +367,6 @@ TEST_CASE("a frame after what looks like a carrier only because of damage is tak
   CHECK(behind(request(3) + data) == "request 3, request 1, request 2");
 }
 
-TEST_CASE("a frame cut short is given up in silence, and the next one taken") {
-  for (const Bytes& frame : {request(9), telemetry(), telemetry(255), packed(requestParts(0xFDFD, 0xFD, 0xFD))}) {
-    for (size_t shown = 1; shown < frame.size(); ++shown) {
-      ParserUnderTest parser;
-      parser.take(part(frame, 0, shown));
-      CAPTURE(shown);
-      CHECK(wanted(parser.silence()).empty());
-      CHECK(parser.parser().isIdle());
-      CHECK(textOf(parser.take(request(1))) == "request 1");
-    }
-  }
-}
-
 TEST_CASE("silence gives what lies after damage, and a whole telemetry frame; a part of one is counted as broken") {
   // A wanted header promises 38 bytes; only a request follows.
   CHECK(told(Bytes{0xFD, 38, 0, 0, 0, 1, 1, 51, 0, 0} + request(1)) == " | request 1; skipped 10");
@@ -447,18 +375,6 @@ TEST_CASE("silence gives what lies after damage, and a whole telemetry frame; a 
     CAPTURE(shown);
     CHECK(told(part(telemetry(), 0, shown)) == "; broken 1");
   }
-}
-
-TEST_CASE("the longest frame that is kept fills the buffer, and what waits after it fits") {
-  // A wanted header with the greatest length, a wrong checksum, and beginnings of more of them inside.
-  Bytes nested;
-  while (nested.size() < MAVMISSION_MAX_PAYLOAD)
-    nested = nested + Bytes{0xFD, MAVMISSION_MAX_PAYLOAD, 0, 0, 0, 1, 1, 51, 0, 0};
-  nested.resize(MAVMISSION_MAX_PAYLOAD);
-  FrameParts parts = requestParts(0);
-  parts.payload = nested;
-  const Bytes frame = wrong(packed(parts));
-  CHECK(wantedIn(frame + frame + frame + request(1) + Bytes(80, 0x11)) == "request 1");
 }
 
 TEST_CASE("a rescan takes one byte a call, so that its time can be shared out") {

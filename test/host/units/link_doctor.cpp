@@ -499,21 +499,6 @@ TEST_CASE("an answer is a message for us, or that to our own question where it h
   CHECK(Desk().autopilot(0).eachSecond(current).told() == "5000 NotHeard");
 }
 
-TEST_CASE("nothing is asked while an operation transfers; without room to send a question waits, and is asked once") {
-  Desk desk;
-  desk.autopilot().pass(5500);
-  desk.client.setMessageInterval(30, 100000);
-  desk.pass(7000);
-  REQUIRE((desk.client.status() == Status::Transferring));
-  CHECK(desk.questions() == "1001");
-  CHECK(desk.pass(2000).questions() == "1001, 14001");
-  Desk full;
-  full.autopilot().pass(5500).line.room = 0;
-  CHECK(full.pass(4000).questions() == "1001");
-  full.line.room = MemoryStream::kAlwaysRoom;
-  CHECK(full.pass(1000).told() == "4000 Quiet");
-}
-
 // --- What is sent
 
 TEST_CASE("before an autopilot is heard a heartbeat leaves each second, with the ids of an onboard computer") {

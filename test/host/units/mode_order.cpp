@@ -85,16 +85,6 @@ TEST_CASE("a foreign mode that stays while the order may be under way stays in t
   CHECK((made.onHeartbeat(kOther, true, false) == Sight::Foreign));
 }
 
-TEST_CASE("a mode that comes while another one is set again is set again in its place") {
-  ModeOrder made = order();
-  made.onHeartbeat(kForeign, true, true);
-  made.onHeartbeat(kWanted, true, true);
-  CHECK((made.onHeartbeat(kOther, true, true) == Sight::Doubtful));
-  CHECK((made.onHeartbeat(kForeign, true, true) == Sight::Undone));
-  CHECK(made.wanted() == kOther);
-  CHECK(made.isRestoring());
-}
-
 TEST_CASE("an order that is turned goes back to the mode of before") {
   ModeOrder made = order();
   made.turn();

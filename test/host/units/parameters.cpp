@@ -309,19 +309,6 @@ TEST_CASE("a parameter is asked for in the update() that follows, and its time b
   CHECK(waiting.client.isBusy());
 }
 
-TEST_CASE("a value is for the one that has asked") {
-  Desk desk;
-  Parameters other(desk.client);
-  desk.says(kFloat, 1);
-  CHECK(desk.read().says(kFloat, 7).did() == "read NAME, Done");
-  CHECK(desk.parameters.value() == 7);
-  CHECK_FALSE(other.value() == 7);
-  other.read(inFlash("NAME"));
-  CHECK(desk.pass(20).says(kFloat, 8).did() == "read NAME, Done");
-  CHECK(other.value() == 8);
-  CHECK(desk.parameters.value() == 7);
-}
-
 TEST_CASE("a value that comes while the client clears a plan ends nothing, though its reading was cancelled") {
   Desk desk;
   desk.read().client.cancel();

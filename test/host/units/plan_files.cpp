@@ -316,16 +316,6 @@ TEST_CASE("a file that an operation has left open is closed with a heartbeat, un
   CHECK(complete.stored == 0);
 }
 
-TEST_CASE("a cancelled upload sends nothing more of a write that has begun") {
-  Pilot pilot;
-  pilot.upload(kFourItems).until("create").line.room = 20;
-  pilot.wait(20).cancel().pass(20);
-  pilot.line.room = MemoryStream::kAlwaysRoom;
-  pilot.pass(200);
-  CHECK((pilot.ended == Status::Cancelled));
-  CHECK((pilot.client.aboard() == Aboard::AsBefore));
-}
-
 TEST_CASE("a source that gives no item ends the upload, and names that item") {
   const auto read = [](void* context, uint16_t index, MissionItem& item) {
     uint16_t& reads = *static_cast<uint16_t*>(context);

@@ -187,13 +187,6 @@ TEST_CASE("a plan that was written as a file has no name, and not that of the pl
   CHECK((pilot.client.aboard() == Aboard::OurPlan));
 }
 
-TEST_CASE("an item whose place is looked for in more than one update() is compared when it is found") {
-  FilePilot::Plan plan(32, returnToLaunch());
-  plan.front() = takeoff(20_m);
-  plan.back() = kFourItems[1];
-  CHECK(Pilot().upload(plan).how().substr(0, 26) == "Accepted by file, OurPlan:");
-}
-
 TEST_CASE("items with places in floats are read where no file is, and prove no upload") {
   const FilePilot::Plan one = {waypoint(-35.5_deg, 149.5_deg, 20_m)};
   Pilot pilot;

@@ -90,14 +90,6 @@ TEST_CASE("the first item of a write that is not answered is the one that has fa
         "TimedOut item 11 by file, AsBefor");
 }
 
-TEST_CASE("the items begin to leave in the update() that makes them") {
-  Pilot pilot;
-  pilot.upload(kFourItems).until("create").line.writes = 0;
-  uint32_t ms = 0;
-  for (; ms < 50 && pilot.line.writes == 0; ++ms) pilot.pass(1);
-  CHECK(ms == 7);  // the answer comes after 5
-}
-
 TEST_CASE("progress is told of items of the plan alone, and while a plan for an armed autopilot is written, too") {
   const FilePilot::Plan many = circles();
   for (bool isArmed : {false, true}) {

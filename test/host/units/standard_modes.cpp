@@ -214,15 +214,6 @@ TEST_CASE("a mode that is none, or a link of MAVLink 1, is refused before anythi
   }
 }
 
-TEST_CASE("a refusal is the end, and nothing is asked") {
-  const std::string kEnds[] = {"CommandRejected", "CommandDenied", "CommandUnsupported", "CommandFailed"};
-  for (uint8_t result = MAV_RESULT_TEMPORARILY_REJECTED; result <= MAV_RESULT_FAILED; ++result) {
-    Flown flight;
-    CHECK(flight.thatDoesNot(flight.obeys).thatSays(result, kAccepted).plays("set 7, end") ==
-          "order 7, " + kEnds[result - 1]);
-  }
-}
-
 TEST_CASE("another mode that is shown before the order leaves is somebody else's") {
   Flown flight;
   CHECK(flight.plays("set 7, wait 3") == "");
@@ -328,20 +319,6 @@ TEST_CASE("an entry without an answer, or an answer without an entry, is not don
         "ask entry 3, 1500 ask entry 3 again (4 times), Unconfirmed");
   CHECK(nobody.thatDoesNot(nobody.tells).thatSays(kAccepted, kSilent).plays("read 3, end") ==
         "ask entry 3, 1500 ask entry 3 again (4 times), NoAnswer");
-}
-
-TEST_CASE("what has come for an operation before counts for no other") {
-  Flown flight;
-  CHECK(flight.plays("read 3, end") == "ask entry 3, Done");
-  flight.tells = false;
-  flight.plays("read 3, wait 3000");
-  CHECK(flight.client.isBusy());
-  flight.client.cancel();
-  flight.plays("wait 25000");
-  flight.tells = true;
-  CHECK(flight.plays("set 7, end") == "order 7, ask mode, Done");
-  flight.thatDoesNot(flight.tells).thatSays(kAccepted, kSilent).plays("set 2, end");
-  CHECK((flight.ended == Status::Unconfirmed));
 }
 
 TEST_CASE("while another operation runs none begins, and what runs is not changed") {

@@ -17,7 +17,6 @@ using namespace mavmission;
 namespace {
 
 constexpr uint8_t kArduPilot = ClientOnLine::kArduPilot, kPx4 = ClientOnLine::kPx4;
-const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
 
 // A client with a listener that requests its message every `intervalMs`, or not at all where that is 0.
 template <typename Listener>
@@ -213,19 +212,6 @@ TEST_CASE("nothing is requested while a command of the client's runs, and then i
   CHECK(desk.requests(30, 1000, fromMs).empty());
   desk.run(4000);
   REQUIRE_FALSE(desk.client.isBusy());
-  CHECK_FALSE(desk.requests(30, 1000, fromMs).empty());
-}
-
-TEST_CASE("while a plan is transferred the requests go on") {
-  Attitude desk(1000);
-  desk.run(500);
-  desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
-  desk.hear(requestParts(0));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
-  const uint32_t fromMs = desk.nowMs();
-  desk.run(6000);
-  REQUIRE((desk.client.status() == Status::Transferring));
   CHECK_FALSE(desk.requests(30, 1000, fromMs).empty());
 }
 

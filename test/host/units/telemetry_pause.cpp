@@ -167,49 +167,6 @@ TEST_CASE("a list may have 32 messages") {
   CHECK(desk.asks("end, wait 3000") == of32(":3000", "idle"));
 }
 
-TEST_CASE("while the items of a plan are transferred the messages are off, and then they are on again") {
-  Quiet desk;
-  CHECK(desk.asks("upload, wait 58") == "30:-1");
-  CHECK(desk.asks("wait 3000") == "24:-1, 33:-1, paused");
-  CHECK_FALSE(desk.pause.isIdle());
-  CHECK(desk.asks("end, wait 2") == "30:100000");
-  CHECK(desk.asks("wait 5000") == "24:0, 33:65535000, idle");
-}
-
-TEST_CASE("what has no items is no transfer: a command, or the clearing of a plan") {
-  Quiet desk;
-  desk.client.arm();
-  CHECK(desk.plays("wait 3000") == "idle");
-  REQUIRE((desk.client.status() == Status::Transferring));
-  desk.client.cancel();
-  desk.pass(2000);
-  desk.client.clear();
-  CHECK(desk.plays("wait 3000") == "idle");
-  REQUIRE((desk.client.status() == Status::Transferring));
-}
-
-TEST_CASE("a transfer that ends early restores what was switched off so far, and nothing else") {
-  Quiet desk;
-  CHECK(desk.asks("answers accepted 1000, upload, wait 1500") == "30:-1, 24:-1");
-  CHECK(desk.asks("end, wait 10000") == "30:100000, 24:0, idle");
-}
-
-TEST_CASE("a transfer that begins while intervals are restored switches all messages off") {
-  Desk desk(kThree);
-  CHECK(desk.asks("answers accepted 1000, wait 1500") == "30:100000, 24:0");
-  CHECK(desk.asks("upload, wait 5000") == "30:-1, 24:-1, 33:-1, paused");
-  CHECK(desk.asks("end, wait 5000") == "30:100000, 24:0, 33:65535000, idle");
-}
-
-TEST_CASE("a command without an answer is repeated every 1.5 s, 5 times, before the next message's") {
-  Quiet desk;
-  CHECK(desk.plays("answers nothing, upload, wait 9000") ==
-        "55 30:-1, 1500 30:-1/1, 1500 30:-1/2, 1500 30:-1/3, 1500 30:-1/4, 1500 24:-1");
-  // Nobody has said that they are off; no more can be done.
-  CHECK(desk.asks("wait 20000") ==
-        "24:-1/1, 24:-1/2, 24:-1/3, 24:-1/4, 33:-1, 33:-1/1, 33:-1/2, 33:-1/3, 33:-1/4, paused");
-}
-
 TEST_CASE("an interval is restored until that is confirmed, one message after the other, again and again") {
   Desk desk(kThree);
   CHECK(desk.asks("wait 24100") ==
@@ -248,23 +205,6 @@ TEST_CASE("answers for others, or to other commands, are none") {
   Quiet desk;
   CHECK(desk.asks("answers nothing, upload, wait 100, to another, for others, wait 100") == "30:-1");
   CHECK(desk.asks("accepted, wait 10") == "24:-1");
-}
-
-TEST_CASE("nothing leaves without room to send") {
-  Quiet desk;
-  CHECK(desk.asks("upload, wait 50") == "idle");
-  desk.line.room = 0;
-  CHECK(desk.asks("wait 50") == "idle");
-  desk.line.room = MemoryStream::kAlwaysRoom;
-  CHECK(desk.asks("wait 5") == "30:-1");
-}
-
-TEST_CASE("an answer to the client's own setMessageInterval() is not taken for one to the pause") {
-  Desk desk(kThree);
-  CHECK(desk.asks("wait 500, own, wait 1400") == "30:100000, 99:250000");
-  CHECK(desk.asks("answers accepted, accepted, wait 5") == "30:100000/1");
-  CHECK((desk.ended == Status::Done));
-  CHECK(desk.asks("wait 10000") == "24:0, 33:65535000, idle");
 }
 
 TEST_CASE("a message whose second command was answered last is restored 1.5 s later: another answer may come") {

@@ -331,14 +331,6 @@ TEST_CASE("a jump's target is the sketch's number of an item that is there") {
   CHECK(told(kHeader + line(0, 177, "2") + line(1, 16)) == "2.5 BadTarget");
 }
 
-TEST_CASE("a jump in line 0 that is home counts for nothing") {
-  // (Home is a waypoint: there is none. What is looked at are targets that a text before had.)
-  WaypointsText text;
-  fed(text, kBegin + line(1, 177, "9"));
-  text.begin();
-  CHECK(read(kBegin + line(1, 16), text).error == "None");
-}
-
 TEST_CASE("a line in the middle is read by its number, and has no line number") {
   WaypointsText text;
   Read whole = read(kBegin + line(1, 16) + line(2, 17), text);

@@ -260,21 +260,6 @@ TEST_CASE("what PX4 does not use goes out as 0, whatever it was, and as it is to
   }
 }
 
-TEST_CASE("on PX4 a landing keeps the height to abort at, which 1.18 uses, and to 1.17 it may come back as 0") {
-  MissionItem sent;
-  Plan plan({with(&MissionItem::param1, 12.f, anyCommandAt(kNavLand, 1_deg, 2_deg, 0_m))}, kPx4);
-  REQUIRE((plan.read(0, sent) == Status::Accepted));
-  CHECK(sent.param1 == 12.f);
-  for (float back : {12.f, 0.f, 5.f}) {
-    const ItemField differs = difference(sent, with(&MissionItem::param1, back, sent), plan.wire.keeper());
-    CHECK((differs == (back == 5.f ? ItemField::Param1 : ItemField::None)));
-  }
-}
-
-TEST_CASE("PX4 gets DO_AUTOTUNE_ENABLE, which newer ones take") {
-  CHECK(onPx4(anyCommand(212, 1, 2)) == "212 frame 2: 1 2 0 0 0 0 0");
-}
-
 TEST_CASE("current says where to begin, and 2 and more would mean fly there now") {
   for (unsigned current = 0; current <= 255; ++current) {
     CHECK(verdicts(with(&MissionItem::current, static_cast<uint8_t>(current), kHere)) ==
@@ -472,41 +457,6 @@ TEST_CASE("a source that gives no item is said as such, for the item and for one
   // No item beyond the plan is looked at.
   CHECK(Plan(fromFunction(Placeless::read, 3, &whole), kPx4).sent(1) == "NeedsCoordinates");
   CHECK(whole.highest == 2);
-}
-
-TEST_CASE("what would be kept as another value is refused, and a value that is kept is not") {
-  const struct {
-    MissionItem kept, other;
-    Firmware firmware;
-    uint8_t vehicle;
-  } kPairs[] = {
-      {loiterTurns(1_deg, 1_deg, 20_m, 255), loiterTurns(1_deg, 1_deg, 20_m, 300), kArduPilot, 2},
-      {loiterTurns(1_deg, 1_deg, 20_m, 0.25f), loiterTurns(1_deg, 1_deg, 20_m, 1.5f), kArduPilot, 2},
-      {loiterTurns(1_deg, 1_deg, 20_m, 1, 300_m), loiterTurns(1_deg, 1_deg, 20_m, 1, 303_m), kArduPilot, 2},
-      {waypoint(1_deg, 1_deg, 20_m, 65535_s), waypoint(1_deg, 1_deg, 20_m, 65536_s), kArduPilot, 2},
-      {waypoint(1_deg, 1_deg, 20_m, 2_s), waypoint(1_deg, 1_deg, 20_m, 2.5_s), kArduPilot, 2},
-      {waypoint(1_deg, 1_deg, 20_m, 0_s), waypoint(1_deg, 1_deg, 20_m, 1_s), kArduPilot, 1},
-      {waypoint(1_deg, 1_deg, 20_m, 0_s, 2_m), waypoint(1_deg, 1_deg, 20_m, 0_s, 2.5_m), kArduPilot, 1},
-      {waypoint(1_deg, 1_deg, 20_m, 0_s, 255_m), waypoint(1_deg, 1_deg, 20_m, 0_s, 256_m), kArduPilot, 1},
-      {loiterTime(1_deg, 1_deg, 20_m, 5_s, -(1_m)), loiterTime(1_deg, 1_deg, 20_m, 5_s, 50_m), kArduPilot, 1},
-      {loiterTime(1_deg, 1_deg, 20_m, 5_s, 50_m), loiterTime(1_deg, 1_deg, 20_m, 5.5_s), kArduPilot, 2},
-      {delay(1.5_s), anyCommand(kNavDelay, 1, 128), kArduPilot, 2},
-      {anyCommand(kDoJump, 0, 32767), anyCommand(kDoJump, 0, 32768), kArduPilot, 2},
-      {anyCommand(kDoJump, 0, 65535), anyCommand(kDoJump, 0, -2), kPx4, 2},
-      {with(&MissionItem::param4, -180.f, kHere), with(&MissionItem::param4, -181.f, kHere), kPx4, 2},
-      {with(&MissionItem::param4, 360.f, kHere), with(&MissionItem::param4, 361.f, kHere), kPx4, 2},
-      {with(&MissionItem::x, 1 << 24, returnToLaunch()), with(&MissionItem::x, (1 << 24) + 1, returnToLaunch()), kPx4,
-       2},
-  };
-  for (const auto& pair : kPairs) {
-    const auto last = [&pair](const MissionItem& item) {
-      return Plan({kHere, item}, pair.firmware, false, PlanType::Mission, pair.vehicle).last();
-    };
-    CAPTURE(textOf(pair.other));
-    CHECK(last(pair.kept) == "Accepted");
-    CHECK(last(pair.other) == "NotKept");
-    CHECK(Plan({kHere, pair.other}, kOther).last() == "Accepted");
-  }
 }
 
 TEST_CASE("an item from the wire is the one that a sketch would have written") {
