@@ -103,6 +103,16 @@ TEST_CASE("a piece that is not full is the last one") {
   }
 }
 
+TEST_CASE("the texts have 150 characters at the most") {
+  const std::string b(50, 'b'), c(50, 'c');
+  Desk desk;
+  desk.hears("5/0 FULL, 5/1 " + b + ", 5/2 " + c);
+  CHECK(desk.last() == "FULL" + b + c);
+  CHECK(desk.given == "");
+  CHECK(desk.hears("5/3 more") == "6 FULL" + b + c + "|");
+  CHECK(Desk().hears("6/0 FULL, 6/2 FULL, 6/3 FULL, 6/4 end") == "6 FULL[...]FULL" + std::string(45, 'a') + "|");
+}
+
 TEST_CASE("pieces that are repeated, or late, are left out, as long as their text may still be repeated") {
   Desk desk;
   CHECK(desk.hears("7/0 FULL, 7/0 FULL, 7/1 FULL, 7/0 FULL, 7/2 end") == "6 FULLFULLend|");
